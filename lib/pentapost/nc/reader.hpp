@@ -1,0 +1,84 @@
+#pragma once
+
+#include "pentapost/core/output.hpp"
+#include "pentapost/core/result.hpp"
+#include "pentapost/core/units.hpp"
+#include "pentapost/machine/definition.hpp"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace pentapost::nc {
+
+/// A motion block as the control would understand it: where the named axes are at its end.
+struct ReadMotion {
+  enum class Kind : std::uint8_t { rapid, line, arc, drill };
+  enum class Feed : std::uint8_t { none, per_minute, inverse_time };
+  Kind kind = Kind::line;
+  Feed feed_mode = Feed::none;
+  bool tcp = false;          ///< TCP is on
+  bool machine_frame = false;  ///< words are machine positions (G53, M91), not program coordinates
+  bool tool_length_offset = false;  ///< a length offset is active (other than by TCP)
+  std::uint8_t stated = 0;   ///< bit i: column i was written in this block
+  std::uint8_t known = 0;    ///< bit i: the position of column i is known at its end
+  std::array<double, 5> position{};  ///< mm and degrees, modal positions included, order of the letters asked for
+  double feed = 0.0;         ///< as active: mm/min, or 1/min
+  // arcs: in the plane across Z; centre in program coordinates
+  double centre_x_mm = 0.0, centre_y_mm = 0.0;
+  bool clockwise = false;  ///< seen from +Z
+  int whole_turns = 0;
+  // drill: position is the hole at its bottom
+  double clearance_z_mm = 0.0;  ///< feed starts here
+  double retract_z_mm = 0.0;    ///< the tool is here afterwards
+  double peck_mm = 0.0;         ///< 0: none
+  double dwell_s = 0.0;
+  std::string_view cycle;       ///< the cycle's word, "G81"
+};
+
+/// Other things that change the state of the machine.
+struct ReadTool {
+  int number = 0;
+};
+struct ReadSpindle {
+  enum class State : std::uint8_t { off, clockwise, counterclockwise };
+  State state = State::off;
+  double speed_rpm = 0.0;
+};
+/// The tool went to the safe end of its travel: the position of the linear axes is not known after it.
+struct ReadSafeRetract {};
+struct ReadEnd {};
+
+struct ReadItem {
+  std::uint32_t text_line = 0;  ///< 1-based line of the NC text
+  std::variant<ReadMotion, ReadTool, ReadSpindle, ReadSafeRetract, ReadEnd> what;
+};
+
+/// What a reader needs to know of the machine.
+struct ReaderSetup {
+  std::string letters;  ///< columns of ReadMotion::position ("XYZAC")
+  machine::Options options = {};  ///< as the definition has them
+};
+
+/// Takes the items in order; a Problem stops the reading and is handed on.
+using ItemSink = std::function<Status(const ReadItem&)>;
+
+/// Reads a whole NC program as the control would. Written against the control's manual, not against
+/// the writer: no code is shared with nc/dialects. Never crashes or hangs on any bytes.
+/// @return Problem (code bad_number, not_in_dialect ...) with the text line in the message.
+using ReadProgram = Status (*)(std::string_view text, const ReaderSetup& setup,
+                               const ItemSink& sink);
+
+struct Reader {
+  std::string_view name;  ///< of the dialect
+  ReadProgram read;
+};
+
+/// nullptr: no reader of that name.
+const Reader* find_reader(std::string_view name);
+
+}  // namespace pentapost::nc
