@@ -71,6 +71,8 @@ enum class Code {
   unsupported_media_type,
   body_too_large,
   overloaded,
+  head_too_large,
+  too_slow,
   count_  ///< number of codes, not one of them
 };
 
@@ -138,6 +140,8 @@ inline constexpr std::array code_rows{
     CodeRow{Code::unsupported_media_type, "unsupported_media_type", "The content type is not supported"},
     CodeRow{Code::body_too_large, "body_too_large", "The body is over the limit"},
     CodeRow{Code::overloaded, "overloaded", "More work than the bound is under way"},
+    CodeRow{Code::head_too_large, "head_too_large", "The request's head is over the limit"},
+    CodeRow{Code::too_slow, "too_slow", "The request did not arrive in time"},
 };
 
 constexpr bool code_rows_are_complete() {

@@ -2,6 +2,7 @@
 
 #include "pentapost/core/codes.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -36,11 +37,14 @@ class Diagnostics {
   }
   /// Counts one that is not kept any more (see keeps()).
   void count(Severity severity) { ++counts_[static_cast<std::size_t>(severity)]; }
+  /// Adds those of `other`, which is another object, after its own.
   void append(const Diagnostics& other) {
+    auto not_kept = other.counts_;
     for (const auto& diagnostic : other.list_) {
-      if (keeps(diagnostic.severity)) list_.push_back(diagnostic);
+      add(diagnostic);
+      --not_kept[static_cast<std::size_t>(diagnostic.severity)];
     }
-    for (std::size_t i = 0; i < 3; ++i) counts_[i] += other.counts_[i];
+    for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += not_kept[i];
   }
 
   const std::vector<Diagnostic>& list() const noexcept { return list_; }
@@ -52,7 +56,7 @@ class Diagnostics {
 
  private:
   std::vector<Diagnostic> list_;
-  std::size_t counts_[3] = {0, 0, 0};
+  std::array<std::size_t, 3> counts_{};  ///< by severity
 };
 
 }  // namespace pentapost

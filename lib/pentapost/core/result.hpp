@@ -24,8 +24,11 @@ struct Problem {
 template <class T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : state_{std::in_place_index<0>, std::move(value)} {}
-  Result(Problem problem) : state_{std::in_place_index<1>, std::move(problem)} {}
+  // Not explicit, so that a function returns either as it is.
+  Result(T value)  // NOLINT(google-explicit-constructor)
+      : state_{std::in_place_index<0>, std::move(value)} {}
+  Result(Problem problem)  // NOLINT(google-explicit-constructor)
+      : state_{std::in_place_index<1>, std::move(problem)} {}
   bool has_value() const noexcept { return state_.index() == 0; }
   explicit operator bool() const noexcept { return has_value(); }
   const T& value() const& { return std::get<0>(state_); }  ///< throws on a Problem: a defect, 500

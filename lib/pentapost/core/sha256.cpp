@@ -3,6 +3,7 @@
 #include <openssl/evp.h>
 
 #include <array>
+#include <cstddef>
 #include <stdexcept>
 
 namespace pentapost {
@@ -14,7 +15,7 @@ std::string sha256_hex(std::string_view bytes) {
     throw std::runtime_error{"SHA-256 is not available"};
   constexpr std::string_view digits = "0123456789abcdef";
   std::string hex;
-  hex.reserve(2 * length);
+  hex.reserve(2 * std::size_t{length});
   for (unsigned int i = 0; i < length; ++i) {
     hex += digits[digest[i] >> 4U];
     hex += digits[digest[i] & 15U];

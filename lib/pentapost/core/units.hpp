@@ -44,7 +44,7 @@ struct Range {
 /// A direction of length 1, normalised on construction.
 class UnitVector {
  public:
-  /// @param direction  any vector whose length is finite and not zero, otherwise std::logic_error.
+  /// @param direction  finite and not zero, of any size, otherwise std::logic_error.
   static UnitVector normalised(const Vec3& direction);
   const Vec3& vec() const noexcept { return vec_; }
   UnitVector operator-() const { return UnitVector{-vec_}; }
@@ -54,12 +54,13 @@ class UnitVector {
   Vec3 vec_;
 };
 
-/// Angle between two non-zero vectors, 0 to pi; keeps its digits near 0 and pi, where acos loses half.
+/// Angle between two vectors, 0 to pi; keeps its digits near 0 and pi, where acos loses half.
+/// Lengths must lie within 1e-150 and 1e150, so that their products are numbers.
 inline double angle_between_rad(const Vec3& x, const Vec3& y) {
   return std::atan2(x.cross(y).norm(), x.dot(y));
 }
 
-/// `angle_rad` less whole turns, in [-pi, pi].
+/// `angle_rad` (finite) less whole turns, in [-pi, pi].
 inline double wrapped_rad(double angle_rad) { return std::remainder(angle_rad, 2.0 * pi); }
 
 }  // namespace pentapost
