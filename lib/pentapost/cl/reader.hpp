@@ -13,12 +13,12 @@ namespace pentapost::cl {
 enum class Units : std::uint8_t { mm, inch };
 
 struct ReadOptions {
-  std::optional<Units> units = {};              ///< overrules the file
+  std::optional<Units> units = {};               ///< overrules the file
   std::optional<std::string_view> dialect = {};  ///< a name of dialect_names(); overrules detection
 };
 
 struct ReadResult {
-  path::ToolPath path;      ///< in mm; not to be used where diagnostics has errors
+  path::ToolPath path;  ///< in mm; not to be used where diagnostics has errors
   Diagnostics diagnostics;
   std::string dialect;      ///< name of the dialect that was detected or asked for
   Units units = Units::mm;  ///< of the file

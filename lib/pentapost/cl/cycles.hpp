@@ -1,0 +1,23 @@
+#pragma once
+
+#include "pentapost/path/tool_path.hpp"
+
+#include <cstdint>
+#include <functional>
+
+namespace pentapost::cl {
+
+/// `path` with its holes written as single moves along the tool axis.
+///
+/// A hole is: rapid to the retract height above it, rapid to the clearance, feed to the depth
+/// (deep: pecks with full retracts; break_chip: pecks with small ones), dwell, and out: rapid, at
+/// feed for bore_drag and ream, with the spindle stopped for bore, with the spindle reversed for
+/// taps. Its moves carry the CL line of the hole. The feed of the path is restored behind the
+/// holes.
+///
+/// @param stays_native  true for a point with Move::hole (index into `path`) that is to remain one;
+///                      such holes keep their cycle's CycleStart and CycleEnd.
+path::ToolPath expand_cycles(const path::ToolPath& path,
+                             const std::function<bool(std::uint32_t point)>& stays_native);
+
+}  // namespace pentapost::cl

@@ -1,0 +1,162 @@
+#include "pentapost/cl/cycles.hpp"
+
+#include "lib/cl/read_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+namespace pentapost::cl {
+namespace {
+
+using path::Move;
+
+const std::function<bool(std::uint32_t)> none = [](std::uint32_t) { return false; };
+const std::function<bool(std::uint32_t)> all = [](std::uint32_t) { return true; };
+
+path::ToolPath one_hole(path::CycleStart cycle, const Vec3& axis = Vec3::UnitZ()) {
+  path::ToolPath path;
+  path.add_event(1, path::Spindle{path::Spindle::State::clockwise, 1000.0});
+  path.add_event(2, path::FeedRate{500.0});
+  path.add_point({0, 0, 100}, axis, 3, Move::rapid);
+  path.add_event(4, cycle);
+  path.add_point({1, 2, 3}, axis, 5, Move::hole);
+  path.add_event(6, path::CycleEnd{});
+  path.add_point({9, 9, 3}, axis, 7, Move::feed);
+  return path;
+}
+
+/// Heights above the reference point and kinds of the moves of the hole at CL line 5: "r2 f-5".
+std::string moves_of_hole(const path::ToolPath& path) {
+  std::string text;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (path.cl_line[i] != 5) continue;
+    const double height_mm = (path.tip_wp_mm[i] - Vec3{1, 2, 3}).dot(path.axis_wp[i]);
+    std::string number = std::to_string(height_mm);
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.back() == '.') number.pop_back();
+    text +=
+        (text.empty() ? "" : " ") + std::string{path.move[i] == Move::rapid ? "r" : "f"} + number;
+  }
+  return text;
+}
+
+TEST(ExpandCycles, DrillsInOneGo) {
+  EXPECT_EQ(moves_of_hole(expand_cycles(one_hole({.depth_mm = 5, .clearance_mm = 2}), none)),
+            "r2 f-5 r2");
+}
+
+TEST(ExpandCycles, TravelsAtTheRetractHeight) {
+  EXPECT_EQ(moves_of_hole(expand_cycles(
+                one_hole({.depth_mm = 5, .clearance_mm = 2, .retract_mm = 20}), none)),
+            "r20 r2 f-5 r20");
+}
+
+TEST(ExpandCycles, PecksDeepHolesWithFullRetracts) {
+  EXPECT_EQ(moves_of_hole(expand_cycles(one_hole({.kind = path::CycleStart::Kind::deep,
+                                                  .depth_mm = 5,
+                                                  .clearance_mm = 2,
+                                                  .peck_mm = 2}),
+                                        none)),
+            "r2 f-2 r2 r-1.5 f-4 r2 r-3.5 f-5 r2");
+}
+
+TEST(ExpandCycles, BreaksChipsWithSmallRetracts) {
+  EXPECT_EQ(moves_of_hole(expand_cycles(one_hole({.kind = path::CycleStart::Kind::break_chip,
+                                                  .depth_mm = 4,
+                                                  .clearance_mm = 1,
+                                                  .peck_mm = 2}),
+                                        none)),
+            "r1 f-2 r-1.75 f-4 r1");
+}
+
+TEST(ExpandCycles, FeedsOutOfReamedAndDraggedHoles) {
+  for (const auto kind : {path::CycleStart::Kind::ream, path::CycleStart::Kind::bore_drag})
+    EXPECT_EQ(
+        moves_of_hole(expand_cycles(
+            one_hole({.kind = kind, .depth_mm = 4, .clearance_mm = 1, .retract_mm = 9}), none)),
+        "r9 r1 f-4 f1 r9");
+}
+
+TEST(ExpandCycles, DwellsAtTheBottom) {
+  const auto path =
+      expand_cycles(one_hole({.depth_mm = 5, .clearance_mm = 2, .dwell_s = 0.5}), none);
+  for (const auto& event : path.events)
+    if (std::holds_alternative<path::Dwell>(event.what)) {
+      EXPECT_EQ(path.tip_wp_mm[event.before_point - 1], Vec3(1, 2, -2));
+    }
+  EXPECT_EQ(events_of<path::Dwell>(path).size(), 1U);
+}
+
+TEST(ExpandCycles, ReversesTheSpindleAtTheBottomOfATap) {
+  const auto path = expand_cycles(
+      one_hole(
+          {.kind = path::CycleStart::Kind::tap, .depth_mm = 5, .clearance_mm = 2, .pitch_mm = 1.5}),
+      none);
+  EXPECT_EQ(moves_of_hole(path), "r2 f-5 f2");
+  const auto spindles = events_of<path::Spindle>(path);
+  ASSERT_EQ(spindles.size(), 3U);
+  EXPECT_EQ(spindles[1].state, path::Spindle::State::counterclockwise);
+  EXPECT_EQ(spindles[2].state, path::Spindle::State::clockwise);
+  EXPECT_EQ(events_of<path::FeedRate>(path)[1].value, 1500.0);
+}
+
+TEST(ExpandCycles, StopsTheSpindleToLeaveABore) {
+  const auto spindles = events_of<path::Spindle>(expand_cycles(
+      one_hole({.kind = path::CycleStart::Kind::bore, .depth_mm = 5, .clearance_mm = 2}), none));
+  ASSERT_EQ(spindles.size(), 3U);
+  EXPECT_EQ(spindles[1].state, path::Spindle::State::off);
+  EXPECT_EQ(spindles[2].state, path::Spindle::State::clockwise);
+}
+
+TEST(ExpandCycles, RestoresTheFeedBehindTheHole) {
+  const auto path =
+      expand_cycles(one_hole({.depth_mm = 5, .clearance_mm = 2, .feed_mm_min = 80.0}), none);
+  const auto feeds = events_of<path::FeedRate>(path);
+  ASSERT_EQ(feeds.size(), 3U);
+  EXPECT_EQ(feeds[0].value, 500.0);
+  EXPECT_EQ(feeds[1].value, 80.0);
+  EXPECT_EQ(feeds[2].value, 500.0);
+  EXPECT_EQ(path.events.back().before_point, path.size() - 1);
+}
+
+TEST(ExpandCycles, FollowsATiltedAxis) {
+  const auto path =
+      expand_cycles(one_hole({.depth_mm = 5, .clearance_mm = 2}, Vec3::UnitX()), none);
+  EXPECT_EQ(path.tip_wp_mm[1], Vec3(3, 2, 3));
+  EXPECT_EQ(path.tip_wp_mm[2], Vec3(-4, 2, 3));
+}
+
+TEST(ExpandCycles, LeavesNativeHolesWithTheirEvents) {
+  const auto before = one_hole({.depth_mm = 5, .clearance_mm = 2, .feed_mm_min = 80.0});
+  const auto path = expand_cycles(before, all);
+  EXPECT_EQ(path.move, before.move);
+  EXPECT_EQ(events_of<path::CycleStart>(path).size(), 1U);
+  EXPECT_EQ(events_of<path::CycleEnd>(path).size(), 1U);
+}
+
+TEST(ExpandCycles, EndsTheNativeCycleAroundAnExpandedHole) {
+  const auto result = read_as("creo-ncl",
+                              "UNITS/MM\nFEDRAT/5,MMPM\nCYCLE/DRILL,DEPTH,3,CLEAR,1\nGOTO/1,0,0\n"
+                              "GOTO/2,0,0,0,1,0\nGOTO/3,0,0,0,0,1\nCYCLE/OFF\n");
+  const auto path = expand_cycles(result.path, [](std::uint32_t point) { return point != 1; });
+  EXPECT_EQ(path.move,
+            (std::vector<Move>{Move::hole, Move::rapid, Move::feed, Move::rapid, Move::hole}));
+  EXPECT_EQ(events_of<path::CycleStart>(path).size(), 2U);
+  EXPECT_EQ(events_of<path::CycleEnd>(path).size(), 2U);
+}
+
+TEST(ExpandCycles, KeepsWhatIsNoHole) {
+  const auto before =
+      read("UNITS/MM\nPARTNO/X\nLOADTL/3\nFEDRAT/9\nGOTO/1,2,3,0,0.6,0.8\nGOTO/1,2,4\n").path;
+  const auto path = expand_cycles(before, none);
+  EXPECT_EQ(path.tip_wp_mm, before.tip_wp_mm);
+  EXPECT_EQ(path.events.size(), before.events.size());
+  EXPECT_EQ(path.program_name, "X");
+  EXPECT_EQ(path.axis_rounding_rad, before.axis_rounding_rad);
+  EXPECT_TRUE(path.has_tool_change);
+}
+
+}  // namespace
+}  // namespace pentapost::cl
