@@ -15,8 +15,9 @@ struct Joints {
   double second_rad = 0.0;        ///< the other one
 };
 
-/// Tool as seen from the table: in the workpiece frame of a part that is set up in the table frame's
-/// origin without a turn ("table frame" below; it is the base frame with all joints at zero).
+/// Tool as seen from the table: in the frame of a part that is set up in the table frame's origin
+/// without a turn. The "table frame" is carried by the table; with all joints at zero it is the
+/// base frame.
 struct Pose {
   Vec3 tip_mm;
   Vec3 axis;  ///< unit, tip towards spindle
@@ -43,12 +44,29 @@ struct Model {
   std::array<Mat3, 3> linear_columns{Mat3::Zero(), Mat3::Zero(), Mat3::Zero()};
   std::array<bool, 3> has_linear{};  ///< whether linear_columns[i] is not zero
 
-  // The spherical triangle of section 2, after the flips that make lambda and mu at most 90 degrees.
-  double lambda_rad = 0.0;     ///< angle between a and b; one rotary joint: angle between a and t
-  double mu_rad = 0.0;         ///< angle between b and t
-  bool a_flipped = false;      ///< the triangle is drawn with -a
-  bool b_flipped = false;      ///< the triangle is drawn with -b
-  double beta_zero_rad = 0.0;  ///< value of the second joint at which b, t and a are coplanar, t towards a
+  // The spherical triangle of section 2, flipped so that lambda and mu are at most 90 degrees.
+  double lambda_rad = 0.0;  ///< angle between a and b; one rotary joint: angle between a and t
+  double mu_rad = 0.0;      ///< angle between b and t
+  bool a_flipped = false;   ///< the triangle is drawn with -a
+  bool b_flipped = false;   ///< the triangle is drawn with -b
+  /// Value of the second joint, as commanded, at which t lies in the plane of a and b, as near to a
+  /// (as drawn) as it gets.
+  double beta_zero_rad = 0.0;
+
+  /// What the evaluation needs at every pose and the chain alone decides (lib/README.md section 2).
+  struct Fixed {
+    Vec3 p = Vec3::UnitX(), q = Vec3::UnitY();  ///< a, p, q: right-handed and orthonormal
+    Vec3 a_drawn = Vec3::UnitZ();               ///< a as the triangle has it
+    double sin_half_difference = 0.0, cos_half_difference = 1.0;  ///< of (mu - lambda) / 2
+    double sin_half_sum = 0.0, cos_half_sum = 1.0;                ///< of (lambda + mu) / 2
+    double sin_lambda_sin_mu = 0.0;
+    /// The tool axis at second = beta_zero + d and first = 0, seen along a, on p and q:
+    /// start + (1 - cos d) * turned_half + sin d * turned_quarter.
+    Eigen::Vector2d start{0.0, 0.0}, turned_half{0.0, 0.0}, turned_quarter{0.0, 0.0};
+    int linear_place = -1;       ///< the one place of all linear joints; -1: several places
+    double linear_volume = 1.0;  ///< determinant of the linear directions, all at zero
+    Mat3 linear_inverse = Mat3::Identity();  ///< of the matrix of linear directions, all at zero
+  } fixed;
 };
 
 /// Rotation by `angle_rad` right-handed about the unit vector `axis`.

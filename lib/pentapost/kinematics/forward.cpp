@@ -1,0 +1,30 @@
+#include "pentapost/kinematics/forward.hpp"
+
+#include "pentapost/kinematics/turns.hpp"
+
+namespace pentapost::kinematics {
+
+Pose forward(const Model& model, const Joints& joints, double gauge_length_mm) {
+  const Turns turn{model, joints.first_rad, joints.second_rad};
+  const Vec3& linear = joints.linear_mm;
+
+  Vec3 from_b = -model.b_point_mm - gauge_length_mm * model.t;
+  if (model.has_linear[2]) from_b += model.linear_columns[2] * linear;
+  Vec3 from_a = model.b_point_mm - model.a_point_mm + turn.second(from_b);
+  if (model.has_linear[1]) from_a += model.linear_columns[1] * linear;
+  Vec3 tip_mm = model.a_point_mm + turn.first(from_a);
+  if (model.has_linear[0]) tip_mm += model.linear_columns[0] * linear;
+  return {tip_mm, turn.tool_axis()};
+}
+
+Vec3 forward_axis(const Model& model, double first_rad, double second_rad) {
+  return Turns{model, first_rad, second_rad}.tool_axis();
+}
+
+LinearMap linear_map(const Model& model, double first_rad, double second_rad,
+                     double gauge_length_mm) {
+  const Turns turn{model, first_rad, second_rad};
+  return {turn.linear_matrix(), turn.tip_without_linear_mm(gauge_length_mm)};
+}
+
+}  // namespace pentapost::kinematics
