@@ -24,6 +24,8 @@ struct Abilities {
   bool inverse_time = false;   ///< false: feed of a rotary move without TCP by the control's own rule
   double largest_inverse_time = 0.0;  ///< largest F in 1/min, 0: no bound known
   bool arcs = false;           ///< G02/G03 in the plane across Z
+  bool helices = false;        ///< arcs that move along Z as well
+  bool arcs_with_tcp = true;   ///< arcs while TCP is on
   bool native_cycles = false;  ///< canned drilling cycles
   bool rapid_is_straight = false;  ///< rapids are written as straight moves
   double rapid_feed_mm_min = 0.0;  ///< of such rapids

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -27,11 +28,17 @@ struct ReadMotion {
   std::uint8_t stated = 0;   ///< bit i: column i was written in this block
   std::uint8_t known = 0;    ///< bit i: the position of column i is known at its end
   std::array<double, 5> position{};  ///< mm and degrees, modal positions included, order of the letters asked for
-  double feed = 0.0;         ///< as active: mm/min, or 1/min
+  double feed = 0.0;         ///< as active: mm/min (deg/min where only rotary axes move), or 1/min
+  /// Where the program's coordinates lie: the selected offset (54 to 59; 5401 and up: G54.1 P1 and
+  /// up; 0: the control has only the preset) and the shift that the program itself adds to it.
+  /// Positions count from there; a path cut in one clamping keeps both.
+  int work_offset = 0;
+  std::array<double, 5> datum_shift{};  ///< mm and degrees, order of the letters
+  int length_register = 0;  ///< H of the length offset or of TCP; 0: none, or the control takes the tool's own
   // arcs: in the plane across Z; centre in program coordinates
   double centre_x_mm = 0.0, centre_y_mm = 0.0;
   bool clockwise = false;  ///< seen from +Z
-  int whole_turns = 0;
+  int whole_turns = 0;     ///< beyond the way from start to end; a full circle ends where it starts and has 1
   // drill: position is the hole at its bottom
   double clearance_z_mm = 0.0;  ///< feed starts here
   double retract_z_mm = 0.0;    ///< the tool is here afterwards
@@ -78,6 +85,8 @@ struct Reader {
   ReadProgram read;
 };
 
+/// All readers, in alphabetical order of their names.
+std::span<const Reader> readers_of_dialects();
 /// nullptr: no reader of that name.
 const Reader* find_reader(std::string_view name);
 

@@ -1,0 +1,97 @@
+#include "lib/nc/fanuc_reader_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace {
+
+using namespace pentapost;
+using sample::expect_refused;
+using sample::last_motion;
+using sample::motions_of;
+using Kind = nc::ReadMotion::Kind;
+
+TEST(Fanuc30iReaderCycles, DrillsAndReturnsToTheInitialLevel) {
+  const auto motions = motions_of("G98 G81 X10. Y20. Z-5. R2. F80.\nX30.\nG80\nG0 X0.");
+  ASSERT_EQ(motions.size(), 3u);
+  EXPECT_EQ(motions[0].kind, Kind::drill);
+  EXPECT_EQ(motions[0].position, (std::array{10.0, 20.0, -5.0, 0.0, 0.0}));
+  EXPECT_EQ(motions[0].clearance_z_mm, 2.0);
+  EXPECT_EQ(motions[0].retract_z_mm, 100.0);
+  EXPECT_EQ(motions[0].feed, 80.0);
+  EXPECT_EQ(motions[0].cycle, "G81");
+  EXPECT_EQ(motions[1].position, (std::array{30.0, 20.0, -5.0, 0.0, 0.0}));
+  EXPECT_EQ(motions[1].stated, 0b00001);
+  EXPECT_EQ(motions[2].position[2], 100.0);
+}
+
+TEST(Fanuc30iReaderCycles, G99ReturnsToTheClearanceLevelAndG98StillKnowsTheInitialOne) {
+  const auto motions = motions_of("G99 G81 X10. Z-5. R2.\nX20.\nG98 X30.\nG80\nG0 X0.");
+  ASSERT_EQ(motions.size(), 4u);
+  EXPECT_EQ(motions[0].retract_z_mm, 2.0);
+  EXPECT_EQ(motions[1].retract_z_mm, 2.0);
+  EXPECT_EQ(motions[2].retract_z_mm, 100.0);
+  EXPECT_EQ(motions[3].position[2], 100.0);
+}
+
+TEST(Fanuc30iReaderCycles, TheNextMoveAfterG99StartsAtTheClearanceLevel) {
+  EXPECT_EQ(last_motion("G99 G81 X10. Z-5. R2.\nG80\nG0 X0.").position[2], 2.0);
+}
+
+TEST(Fanuc30iReaderCycles, CycleLevelsInG91CountFromTheInitialAndTheClearanceLevel) {
+  const auto motions = motions_of("G91 G98 G81 X10. Z-15. R-95.\nX10.");
+  ASSERT_EQ(motions.size(), 2u);
+  EXPECT_EQ(motions[0].clearance_z_mm, 5.0);
+  EXPECT_EQ(motions[0].position[2], -10.0);
+  EXPECT_EQ(motions[1].position[0], 20.0);
+  EXPECT_EQ(motions[1].position[2], -10.0);
+}
+
+TEST(Fanuc30iReaderCycles, PecksAndDwellsAreModal) {
+  const auto motions =
+      motions_of("G83 X10. Z-9. R2. Q1.5\nX20.\nG82 X30. P250\nX40.\nG73 X50. Q2000");
+  ASSERT_EQ(motions.size(), 5u);
+  EXPECT_EQ(motions[1].peck_mm, 1.5);
+  EXPECT_EQ(motions[2].peck_mm, 0.0);
+  EXPECT_EQ(motions[3].dwell_s, 0.25);
+  EXPECT_EQ(motions[4].peck_mm, 2.0);
+  EXPECT_EQ(motions[4].dwell_s, 0.0);
+  EXPECT_EQ(motions[4].clearance_z_mm, 2.0);
+}
+
+TEST(Fanuc30iReaderCycles, ACycleBlockWithoutAPositionDrillsNothing) {
+  EXPECT_EQ(motions_of("G81 X1. Z-1. R2.\nF50.\nM8\nX2.").size(), 2u);
+}
+
+TEST(Fanuc30iReaderCycles, AMotionCodeEndsTheCycle) {
+  const auto motions = motions_of("G81 X1. Z-1. R2.\nG0 X2.\nX3.");
+  ASSERT_EQ(motions.size(), 3u);
+  EXPECT_EQ(motions[1].kind, Kind::rapid);
+  EXPECT_EQ(motions[2].kind, Kind::rapid);
+}
+
+TEST(Fanuc30iReaderCycles, G80ForgetsTheLevels) {
+  expect_refused("G81 X1. Z-1. R2.\nG80\nG81 X2. Z-1.", "R and Z", Code::bad_cycle);
+}
+
+TEST(Fanuc30iReaderCycles, AHoleMayTurnTheTable) {
+  EXPECT_EQ(last_motion("G81 X1. Z-1. R2.\nC90.").position[4], 90.0);
+}
+
+TEST(Fanuc30iReaderCycles, RefusesCyclesThatItCannotFollow) {
+  expect_refused("G81 X1. Z-1.", "R and Z", Code::bad_cycle);
+  expect_refused("G83 X1. Z-1. R2.", "Q", Code::bad_cycle);
+  expect_refused("G81 X1. Z-1. R2. K3", "repeats", Code::bad_cycle);
+  expect_refused("G91 G81 X1. Z-1. R2. L2", "repeats", Code::bad_cycle);
+  expect_refused("G18 G81 X1. Z-1. R2.", "G17", Code::bad_cycle);
+  expect_refused("G93 G81 X1. Z-1. R2. F5.", "G93", Code::bad_cycle);
+  expect_refused("G91 G28 Z0.\nG90 G98 G81 X1. Z-1. R2.", "G98", Code::bad_cycle);
+  expect_refused("G81 X1. Z-1. R2.\nG53 Z0.", "within a canned cycle");
+  expect_refused("G81 X1. Z-1. R2.\nG4 P1", "within a canned cycle");
+  expect_refused("G81 X1. Z-1. R2.\nG55 X1.", "within a canned cycle");
+  expect_refused("G81 X1. Z-1. R2.\nP500", "P500");
+  expect_refused("G82 X1. Z-1. R2. P0.5", "P0.5", Code::bad_number);
+}
+
+}  // namespace
