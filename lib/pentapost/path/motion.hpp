@@ -47,6 +47,7 @@ struct NativeCycle {
   double dwell_s = 0.0;
   double feed_mm_min = 0.0;
   bool retract_to_clearance = true;  ///< false: to the level before the cycle (G98)
+  bool operator==(const NativeCycle&) const = default;
 };
 struct NativeCycleEnd {};
 struct ToolCall {
@@ -73,6 +74,7 @@ struct Motion {
   int decimals_mm = 3;
   int decimals_deg = 3;
   Output output = Output::tcp;
+  bool length_offset = true;  ///< axes output: the words are for gauge length 0, the control adds the tool's (G43)
   std::vector<Block> blocks;
   std::vector<Action> actions;  ///< in order of before_block
 

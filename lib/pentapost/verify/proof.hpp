@@ -19,12 +19,14 @@ namespace pentapost::verify {
 
 /// What an NC program is held against.
 struct Claim {
-  const path::ToolPath& tool_path;  ///< turned by the setup, cycles expanded where not native; table orientation
+  const path::ToolPath&
+      tool_path;  ///< turned by the setup, cycles expanded where not native; table orientation
   const kinematics::Model& model;
-  const path::Motion& motion;       ///< only as witness: which CL move a block belongs to, and where it ends
+  const path::Motion&
+      motion;  ///< only as witness: which CL move a block belongs to, and where it ends
   nc::ReaderSetup reader_setup;
   Output output = Output::tcp;
-  Vec3 origin_mm = Vec3::Zero();              ///< CL origin in the table frame; enters joint values only
+  Vec3 origin_mm = Vec3::Zero();  ///< CL origin in the table frame; enters joint values only
   std::map<int, double> gauge_length_mm = {};  ///< by tool number; used only where the head turns
   double tip_tolerance_mm = 0.01;
   double axis_tolerance_rad = 0.0;
@@ -35,14 +37,15 @@ struct AxisSpan {
 };
 
 struct Proof {
-  double tip_deviation_mm = 0.0;    ///< largest over the whole of every cutting block, not of samples
+  double tip_deviation_mm = 0.0;  ///< largest over the whole of every cutting block, not of samples
   double axis_deviation_rad = 0.0;
   std::uint64_t blocks_read = 0;    ///< motion blocks
   std::array<AxisSpan, 5> spans{};  ///< in the order of the letters
 };
 
 /// Reads the finished program back, runs forward kinematics at the digits printed and measures how
-/// far tool tip and tool axis leave the CL path, over the whole of every block (lib/README.md section 5).
+/// far tool tip and tool axis leave the CL path, over the whole of every block (lib/README.md
+/// section 5).
 ///
 /// @return Problem proof_failed with text line, block, CL line, value and tolerance.
 /// @note Shares no code with the planning or the writers.

@@ -1,0 +1,44 @@
+#include "pentapost/verify/hole.hpp"
+
+#include "pentapost/core/number_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pentapost::verify {
+namespace {
+
+/// Controls take dwells in ms.
+constexpr double dwell_rounding_s = 0.0006;
+
+}  // namespace
+
+HoleLevels hole_levels(const path::CycleStart& cycle, const Vec3& reference_mm, const Vec3& axis) {
+  return {.bottom_mm = reference_mm - cycle.depth_mm * axis,
+          .clearance_mm = reference_mm + cycle.clearance_mm * axis,
+          .retract_mm = reference_mm + cycle.retract_mm.value_or(cycle.clearance_mm) * axis};
+}
+
+Deviation hole_deviation(const HoleLevels& expected, const Vec3& axis, const Stop& bottom,
+                         const Stop& clearance, const Stop& retract) {
+  return {.tip_mm = std::max({(bottom.station.tip_mm - expected.bottom_mm).norm(),
+                              (clearance.station.tip_mm - expected.clearance_mm).norm(),
+                              (retract.station.tip_mm - expected.retract_mm).norm()}),
+          .axis_chord = (bottom.station.axis - axis).norm()};
+}
+
+std::string wrong_cycle_data(const nc::ReadMotion& motion, const path::CycleStart& cycle,
+                             double length_rounding_mm) {
+  using Kind = path::CycleStart::Kind;
+  const bool pecks = cycle.kind == Kind::deep || cycle.kind == Kind::break_chip;
+  const double peck_mm = pecks ? cycle.peck_mm.value_or(0.0) : 0.0;
+  if (!(std::abs(motion.peck_mm - peck_mm) <= length_rounding_mm))
+    return "the cycle pecks by " + number_text(motion.peck_mm) + " mm, expected are " +
+           number_text(peck_mm) + " mm";
+  if (!(std::abs(motion.dwell_s - cycle.dwell_s) <= dwell_rounding_s))
+    return "the cycle dwells " + number_text(motion.dwell_s) + " s, expected are " +
+           number_text(cycle.dwell_s) + " s";
+  return {};
+}
+
+}  // namespace pentapost::verify
