@@ -1,0 +1,350 @@
+#include "pentapost/plan/cutting.hpp"
+
+#include "pentapost/core/number_text.hpp"
+#include "pentapost/plan/drilling.hpp"
+#include "pentapost/plan/feed.hpp"
+#include "pentapost/plan/linearise.hpp"
+#include "pentapost/plan/move_curve.hpp"
+#include "pentapost/plan/native_arc.hpp"
+#include "pentapost/plan/retract.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pentapost::plan {
+namespace {
+
+using path::Block;
+
+/// Share of a move that a turn in place takes: the tip does not get further in it.
+constexpr double standing_share = 1e-9;
+/// Rotary values this close are the same posture.
+constexpr double same_rad = 1e-6;
+
+bool same(const RotaryPair& x, const RotaryPair& y) {
+  return std::abs(x.first_rad - y.first_rad) <= same_rad &&
+         std::abs(x.second_rad - y.second_rad) <= same_rad;
+}
+
+class Cutting {
+ public:
+  Cutting(const kinematics::Model& model, const JointRanges& ranges,
+          const path::ToolPath& tool_path, const Settings& settings, const AxisPath& axis_path,
+          double slack_rad, double gauge_length_mm, bool check_linear, Frame& frame,
+          Program& program)
+      : model_{model},
+        ranges_{ranges},
+        tool_path_{tool_path},
+        settings_{settings},
+        axis_path_{axis_path},
+        slack_rad_{slack_rad},
+        check_linear_{check_linear},
+        maker_{model, ranges, settings, gauge_length_mm, check_linear},
+        feed_rule_{model, settings, maker_.columns()},
+        frame_{frame},
+        program_{program},
+        departure_{axis_path.departures.begin()},
+        crossing_{axis_path.crossings.begin()} {}
+
+  Status run() {
+    const std::uint32_t begin = axis_path_.range.begin;
+    rotary_ = axis_path_.at(begin);
+    auto posture = maker_.posture(tool_path_.tip_wp_mm[begin], rotary_, tool_path_.cl_line[begin]);
+    if (!posture) return std::move(posture).error();
+    posture_ = *posture;
+    const bool by_feed = tool_path_.move[begin] == path::Move::feed && frame_.feed_mm_min();
+    frame_.approach(*posture, begin, by_feed);
+    for (std::uint32_t point = begin; point < axis_path_.range.end; ++point) {
+      if (point > begin) {
+        frame_.take_events(point);
+        if (auto status = move_to(point); !status) return status;
+      }
+      if (auto status = depart(point); !status) return status;
+    }
+    return ok();
+  }
+
+ private:
+  /// The axis as planned: exactly the pole where the point is taken as the pole.
+  Vec3 planned_axis(std::uint32_t point) const {
+    const std::uint8_t pole = axis_path_.pole[point - axis_path_.range.begin];
+    return pole == 0 || model_.rotary_count != 2 ? tool_path_.axis_wp[point]
+                                                 : pole_axis(model_, pole);
+  }
+
+  path::Segment segment_to(std::uint32_t point) const {
+    return {tool_path_.tip_wp_mm[point - 1], planned_axis(point - 1), tool_path_.tip_wp_mm[point],
+            planned_axis(point), frame_.arc()};
+  }
+
+  Status move_to(std::uint32_t point) {
+    const RotaryPair& arrival = axis_path_.at(point);
+    switch (tool_path_.move[point]) {
+      case path::Move::rapid:
+        return rapid_to(point, arrival);
+      case path::Move::hole:
+        return drill_at(point, arrival);
+      case path::Move::feed:
+        break;
+    }
+    const path::Segment segment = segment_to(point);
+    account(segment);
+    if (same(rotary_, arrival) && !crosses(point)) {
+      if (const auto pieces =
+              native_arc(model_, settings_, maker_, segment, rotary_, posture_, tool_path_.cl_line[point]))
+        return write_arc(point, segment, *pieces);
+    }
+    return cut(point, segment, arrival);
+  }
+
+  bool crosses(std::uint32_t point) const {
+    return crossing_ != axis_path_.crossings.end() && crossing_->point == point;
+  }
+
+  void account(const path::Segment& segment) {
+    program_.length_mm += segment.length_mm();
+    if (const auto feed = frame_.feed_mm_min(); feed && segment.length_mm() > 0.0)
+      program_.programmed_time_s += 60.0 * segment.length_mm() / *feed;
+  }
+
+  Status rapid_to(std::uint32_t point, const RotaryPair& arrival) {
+    if (crosses(point)) ++crossing_;
+    turn_before_move_.reset();  // the rapid turns the axis on its way
+    auto posture = maker_.posture(tool_path_.tip_wp_mm[point], arrival, tool_path_.cl_line[point]);
+    if (!posture) return std::move(posture).error();
+    frame_.add_block(*posture, point, Block::Kind::rapid);
+    posture_ = *posture;
+    rotary_ = arrival;
+    return ok();
+  }
+
+  Status drill_at(std::uint32_t point, const RotaryPair& arrival) {
+    auto above = drill(tool_path_, point, arrival, !same(rotary_, arrival), maker_, frame_);
+    if (!above) return std::move(above).error();
+    posture_ = *above;
+    rotary_ = arrival;
+    return ok();
+  }
+
+  /// The parts of a cutting move, in order; a turn in place is a part of no length.
+  std::vector<MovePart> parts_of(std::uint32_t point, const RotaryPair& arrival) {
+    std::vector<MovePart> parts;
+    const auto add = [&](MovePart::Kind kind, int branch, double to_fraction, const RotaryPair& to) {
+      const double from_fraction = parts.empty() ? 0.0 : parts.back().fraction_to;
+      const RotaryPair from = parts.empty() ? rotary_ : parts.back().to;
+      parts.push_back({kind, branch, from_fraction, to_fraction, from, to});
+    };
+    if (turn_before_move_) {
+      add(MovePart::Kind::even, 0, standing_share, *turn_before_move_);
+      turn_before_move_.reset();
+    }
+    if (crosses(point)) {
+      const AxisPath::Crossing& crossing = *crossing_++;
+      add(MovePart::Kind::branch, crossing.branch_before, crossing.fraction, crossing.before);
+      if (!same(crossing.before, crossing.after))
+        add(MovePart::Kind::even, 0, crossing.fraction + standing_share, crossing.after);
+      add(MovePart::Kind::branch, crossing.branch_after, 1.0, arrival);
+      return parts;
+    }
+    const std::uint8_t branch = axis_path_.branch[point - axis_path_.range.begin];
+    const RotaryPair from = parts.empty() ? rotary_ : parts.back().to;
+    if (branch == AxisPath::at_rest)
+      add(from == arrival ? MovePart::Kind::still : MovePart::Kind::even, 0, 1.0, arrival);
+    else
+      add(MovePart::Kind::branch, branch, 1.0, arrival);
+    return parts;
+  }
+
+  Status cut(std::uint32_t point, const path::Segment& segment, const RotaryPair& arrival) {
+    std::vector<MovePart> parts = parts_of(point, arrival);
+    std::optional<MovePart> rest;
+    double rewind_rad = 0.0;
+    if (pending_rewind_) {
+      rewind_rad = *pending_rewind_;
+      pending_rewind_.reset();
+      rest = split_at_limit(segment, parts.back(), rewind_rad);
+    }
+    for (const MovePart& part : parts)
+      if (auto status = cut_part(point, segment, part); !status) return status;
+    if (!rest) return ok();
+    RotaryPair after = rotary_;
+    after.first_rad += rewind_rad;
+    if (auto status = reposition({segment.tip_mm(rest->fraction_from),
+                                  segment.axis(rest->fraction_from), point, tool_path_.cl_line[point]},
+                                 after);
+        !status)
+      return status;
+    rest->from = after;
+    return cut_part(point, segment, *rest);
+  }
+
+  /// Ends `part` where the first axis meets the end of its range; gives what is left of it.
+  MovePart split_at_limit(const path::Segment& segment, MovePart& part, double rewind_rad) const {
+    RotaryPair unwound = part.to;
+    unwound.first_rad -= rewind_rad;
+    const Range<double>& range = *ranges_.rotary_rad[0];
+    const double limit_rad = rewind_rad < 0.0 ? range.upper : range.lower;
+    double inside = part.fraction_from, outside = part.fraction_to;
+    RotaryPair lower = part.from, upper = unwound;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (inside + outside);
+      MovePart whole = part;
+      whole.to = unwound;
+      const auto there = rotary_inside(model_, segment, whole, middle, lower, upper, slack_rad_);
+      if (!there) break;
+      const bool beyond = rewind_rad < 0.0 ? there->first_rad > limit_rad : there->first_rad < limit_rad;
+      (beyond ? outside : inside) = middle;
+      (beyond ? upper : lower) = *there;
+    }
+    MovePart rest = part;
+    rest.fraction_from = inside;
+    part.fraction_to = inside;
+    part.to = lower;
+    return rest;
+  }
+
+  Status cut_part(std::uint32_t point, const path::Segment& segment, const MovePart& part) {
+    ends_.clear();
+    const std::uint32_t line = tool_path_.cl_line[point];
+    if (auto status = linearise(model_, settings_, maker_, segment, part, posture_, slack_rad_,
+                                line, ends_);
+        !status)
+      return status;
+    double fraction = part.fraction_from;
+    for (const Waypoint& end : ends_) {
+      const bool is_point = end.fraction == 1.0;
+      const bool moves = end.posture.word != posture_.word;
+      if (!is_point) ++program_.inserted_points;
+      Block& block = frame_.add_block(end.posture, point, Block::Kind::line);
+      block.fraction = end.fraction;
+      const double length_mm = (end.fraction - fraction) * segment.length_mm();
+      const bool stands = part.kind == MovePart::Kind::even && part.fraction_to - part.fraction_from <= standing_share;
+      if (moves || frame_.feed_mm_min()) {
+        if (auto status = feed_rule_.set(block, posture_, end.posture, stands ? 0.0 : length_mm,
+                                         frame_.feed_mm_min());
+            !status)
+          return status;
+      }
+      posture_ = end.posture;
+      fraction = end.fraction;
+    }
+    rotary_ = part.to;
+    return ok();
+  }
+
+  Status write_arc(std::uint32_t point, const path::Segment& segment,
+                   const std::vector<ArcPiece>& pieces) {
+    double fraction = 0.0;
+    for (const ArcPiece& piece : pieces) {
+      frame_.act(piece.centre, tool_path_.cl_line[point]);
+      Block& block = frame_.add_block(piece.posture, point,
+                                      piece.clockwise ? Block::Kind::arc_clockwise
+                                                      : Block::Kind::arc_counterclockwise);
+      block.fraction = piece.fraction;
+      if (auto status = feed_rule_.set(block, posture_, piece.posture,
+                                       (piece.fraction - fraction) * segment.length_mm(),
+                                       frame_.feed_mm_min());
+          !status)
+        return status;
+      if (piece.fraction != 1.0) ++program_.inserted_points;
+      posture_ = piece.posture;
+      fraction = piece.fraction;
+    }
+    rotary_ = axis_path_.at(point);
+    return ok();
+  }
+
+  /// Where the path goes on from `point` with other rotary values.
+  Status depart(std::uint32_t point) {
+    for (; departure_ != axis_path_.departures.end() && departure_->point == point; ++departure_) {
+      if (departure_->inside) {
+        pending_rewind_ = departure_->turns_rad;
+      } else if (departure_->retract) {
+        if (auto status = reposition({tool_path_.tip_wp_mm[point], tool_path_.axis_wp[point], point,
+                                      tool_path_.cl_line[point]},
+                                     departure_->pair);
+            !status)
+          return status;
+      } else {
+        turn_before_move_ = departure_->pair;
+      }
+    }
+    return ok();
+  }
+
+  std::string reposition_text(const RotaryPair& after) const {
+    std::string text;
+    const auto name = [&](std::size_t axis, double from_rad, double to_rad) {
+      if (std::abs(from_rad - to_rad) <= same_rad) return;
+      text += (text.empty() ? "" : ", ") + model_.rotary_names[axis] + " from " +
+              number_text(from_rad * deg_per_rad, 3) + " to " + number_text(to_rad * deg_per_rad, 3);
+    };
+    name(0, rotary_.first_rad, after.first_rad);
+    name(1, rotary_.second_rad, after.second_rad);
+    return "retract to reposition " + text + " deg";
+  }
+
+  Status reposition(const RetractPlace& place, const RotaryPair& after) {
+    const std::string text = reposition_text(after);
+    const std::string line = std::to_string(place.cl_line);
+    frame_.comment(text, place.cl_line);
+    program_.retracts.push_back({place.cl_line, text});
+    program_.diagnostics.add({Severity::warning, Code::retract_inserted, place.cl_line,
+                              text + " at CL line " + line +
+                                  ": no continuous sequence of rotary values stays within the ranges"});
+    auto back = retract_and_reposition(place, rotary_, after, settings_, check_linear_, maker_, frame_);
+    if (!back) return std::move(back).error();
+    posture_ = *back;
+    rotary_ = after;
+    return ok();
+  }
+
+
+  const kinematics::Model& model_;
+  const JointRanges& ranges_;
+  const path::ToolPath& tool_path_;
+  const Settings& settings_;
+  const AxisPath& axis_path_;
+  const double slack_rad_;
+  const bool check_linear_;
+  BlockMaker maker_;
+  const FeedRule feed_rule_;
+  Frame& frame_;
+  Program& program_;
+  std::vector<AxisPath::Departure>::const_iterator departure_;
+  std::vector<AxisPath::Crossing>::const_iterator crossing_;
+  std::vector<Waypoint> ends_;
+  RotaryPair rotary_;   ///< exact values at the end of the last block
+  Posture posture_;     ///< as printed there
+  std::optional<RotaryPair> turn_before_move_;
+  std::optional<double> pending_rewind_;
+};
+
+}  // namespace
+
+Status cut_sequence(const kinematics::Model& model, const JointRanges& ranges,
+                    const path::ToolPath& tool_path, const Settings& settings,
+                    const Sequence& sequence, double gauge_length_mm, bool check_linear,
+                    Frame& frame, Program& program) {
+  const double freedom_rad = axis_freedom_rad(settings.axis_tolerance_rad, settings.flank);
+  const double slack_rad = std::min(std::max(tool_path.axis_rounding_rad, freedom_rad),
+                                    0.5 * settings.axis_tolerance_rad);
+  const PoleZone zone = pole_zone(model, tool_path.axis_rounding_rad, freedom_rad);
+  auto candidates = find_candidates(model, tool_path, sequence.range, zone, slack_rad);
+  if (!candidates) return std::move(candidates).error();
+  auto axis_path = choose_branches(model, ranges, tool_path, *candidates, settings, gauge_length_mm,
+                                   check_linear);
+  if (!axis_path) return std::move(axis_path).error();
+  const double change_rad = candidates->largest_freedom_rad;
+  program.axis_change_rad = std::max(program.axis_change_rad, change_rad);
+  candidates = Candidates{};  // frees its columns
+
+  Settings left = settings;
+  left.axis_tolerance_rad -= change_rad;
+  frame.begin_sequence(sequence);
+  return Cutting{model,     ranges, tool_path,       left,         *axis_path,
+                 slack_rad, gauge_length_mm, check_linear, frame, program}
+      .run();
+}
+
+}  // namespace pentapost::plan

@@ -1,0 +1,83 @@
+#include "pentapost/plan/drilling.hpp"
+
+#include "pentapost/plan/sequences.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace pentapost::plan {
+namespace {
+
+constexpr double direction_tolerance = 1e-9;
+constexpr std::size_t z_column = 2;
+
+bool drills_along_z(const kinematics::Model& model, const Settings& settings) {
+  if (!settings.native_cycles || model.head_turns || settings.output != Output::axes) return false;
+  const Mat3 directions =
+      model.linear_columns[0] + model.linear_columns[1] + model.linear_columns[2];
+  return (directions.col(z_column) - model.t).norm() <= direction_tolerance;
+}
+
+bool can_be_native(const path::CycleStart& cycle) {
+  using Kind = path::CycleStart::Kind;
+  const bool level_fits = !cycle.retract_mm || *cycle.retract_mm == cycle.clearance_mm;
+  const bool pecks_known = (cycle.kind != Kind::deep && cycle.kind != Kind::break_chip) || cycle.peck_mm;
+  return level_fits && pecks_known;
+}
+
+}  // namespace
+
+std::function<bool(std::uint32_t point)> native_holes(const kinematics::Model& model,
+                                                      const path::ToolPath& tool_path,
+                                                      const Settings& settings) {
+  if (!drills_along_z(model, settings)) return [](std::uint32_t) { return false; };
+  std::vector<bool> native(tool_path.size(), false);
+  std::size_t next_event = 0;
+  bool possible = false;
+  for (std::uint32_t point = 0; point < tool_path.size(); ++point) {
+    for (; next_event < tool_path.events.size() &&
+           tool_path.events[next_event].before_point <= point;
+         ++next_event)
+      if (const auto* cycle = std::get_if<path::CycleStart>(&tool_path.events[next_event].what))
+        possible = can_be_native(*cycle);
+    native[point] = possible && tool_path.move[point] == path::Move::hole;
+  }
+  for (const Sequence& sequence : sequences(tool_path)) native[sequence.range.begin] = false;
+  return [native = std::move(native)](std::uint32_t point) { return native[point]; };
+}
+
+Result<Posture> drill(const path::ToolPath& tool_path, std::uint32_t point,
+                      const RotaryPair& rotary, bool rotary_moves, BlockMaker& maker,
+                      Frame& frame) {
+  const path::CycleStart& cycle = *frame.cycle();
+  const Vec3& axis = tool_path.axis_wp[point];
+  const std::uint32_t line = tool_path.cl_line[point];
+  const auto level = [&](double above_mm) {
+    return maker.posture(tool_path.tip_wp_mm[point] + above_mm * axis, rotary, line);
+  };
+  const auto bottom = level(-cycle.depth_mm);
+  if (!bottom) return bottom.error();
+  const auto clear = level(cycle.clearance_mm);
+  if (!clear) return clear.error();
+  if (!frame.feed_mm_min() && !cycle.feed_mm_min)
+    return Problem{.code = Code::no_feed,
+                   .message = "the hole at CL line " + std::to_string(line) + " has no feed",
+                   .cl_line = line};
+  if (rotary_moves) frame.position_rotary(*clear, point);
+  path::NativeCycle native;
+  native.kind = cycle.kind;
+  native.clearance_z = clear->word[z_column];
+  native.bottom_z = bottom->word[z_column];
+  if (cycle.peck_mm)
+    native.peck = std::max<std::int64_t>(
+        1, maker.count_mm(*cycle.peck_mm));
+  native.dwell_s = cycle.dwell_s;
+  native.feed_mm_min = cycle.feed_mm_min.value_or(frame.feed_mm_min().value_or(0.0));
+  frame.start_cycle(native, line);
+  path::Block& block = frame.add_block(*bottom, point, path::Block::Kind::drill);
+  block.feed_mode = path::Block::Feed::per_minute;
+  block.feed = native.feed_mm_min;
+  return *clear;
+}
+
+}  // namespace pentapost::plan

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "pentapost/core/result.hpp"
+#include "pentapost/kinematics/model.hpp"
+#include "pentapost/path/segment.hpp"
+#include "pentapost/plan/block_maker.hpp"
+#include "pentapost/plan/move_curve.hpp"
+#include "pentapost/plan/settings.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace pentapost::plan {
+
+/// Where a block of a move ends.
+struct Waypoint {
+  double fraction = 1.0;  ///< of the whole CL move
+  Posture posture;
+};
+
+/// Divides a part of a CL move into blocks whose tip and tool axis stay within the tolerances over
+/// the whole of every block (lib/README.md section 5). Appends the end of each block.
+///
+/// @param from  posture at the start of the part, as printed.
+/// @param slack_rad  see kinematics::inverse_rotary.
+/// @return Problem tolerance_below_digits, out_of_reach, a range or too_large, with the CL line.
+Status linearise(const kinematics::Model& model, const Settings& settings, BlockMaker& maker,
+                 const path::Segment& segment, const MovePart& part, const Posture& from,
+                 double slack_rad, std::uint32_t cl_line, std::vector<Waypoint>& ends);
+
+}  // namespace pentapost::plan

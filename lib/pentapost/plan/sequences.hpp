@@ -1,0 +1,20 @@
+#pragma once
+
+#include "pentapost/path/tool_path.hpp"
+#include "pentapost/plan/candidates.hpp"
+
+#include <vector>
+
+namespace pentapost::plan {
+
+/// A stretch of the path that starts with a positioning: the program's start, another tool, or the
+/// return from home. Rotary solutions are chosen for each by itself.
+struct Sequence {
+  PointRange range;
+  int tool_number = 1;
+};
+
+/// Every point belongs to one sequence, in order. A path that names no tool is cut with tool 1.
+std::vector<Sequence> sequences(const path::ToolPath& tool_path);
+
+}  // namespace pentapost::plan
