@@ -1,0 +1,79 @@
+#include "pentapost/jobs/tool_path.hpp"
+
+#include "pentapost/cl/reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pentapost::jobs {
+namespace {
+
+/// Most decimals that are looked for; a double of full length has more.
+constexpr int most_decimals = 15;
+
+/// The number of decimals with which `value` was written, as far as its double tells.
+int decimals_of(double value, int at_least) {
+  int decimals = at_least;
+  for (double scale = std::pow(10.0, at_least); decimals < most_decimals; ++decimals, scale *= 10.0)
+    if (std::round(value * scale) / scale == value) break;
+  return decimals;
+}
+
+Result<ReadPath> read_cl(const ClText& cl) {
+  cl::ReadOptions options;
+  if (cl.units) options.units = *cl.units == ClUnits::mm ? cl::Units::mm : cl::Units::inch;
+  if (cl.dialect) options.dialect = *cl.dialect;
+  cl::ReadResult read = cl::read(cl.text, options);
+  if (read.diagnostics.has_errors()) {
+    const auto& list = read.diagnostics.list();
+    const auto first = std::find_if(list.begin(), list.end(), [](const Diagnostic& diagnostic) {
+      return diagnostic.severity == Severity::error;
+    });
+    Problem problem{.code = first->code, .message = first->message};
+    if (first->cl_line > 0) problem.cl_line = first->cl_line;
+    problem.diagnostics = std::move(read.diagnostics);
+    return problem;
+  }
+  ReadPath result;
+  result.tool_path = std::move(read.path);
+  result.cl_dialect = std::move(read.dialect);
+  result.cl_units = read.units == cl::Units::mm ? "mm" : "inch";
+  result.lines = read.lines;
+  result.points = read.points;
+  result.diagnostics = std::move(read.diagnostics);
+  return result;
+}
+
+/// The point in hand counts as a line of the CL data.
+Result<ReadPath> read_points(const PointPath& points) {
+  if (points.tip_mm.empty())
+    return Problem{.code = Code::no_motion, .message = "the path has no points", .pointer = "/path/points"};
+  ReadPath result;
+  result.points = points.tip_mm.size();
+  path::ToolPath& tool_path = result.tool_path;
+  tool_path.reserve(points.tip_mm.size());
+  tool_path.add_event(1, path::FeedRate{.value = points.feed_mm_min});
+  int decimals = 0;
+  for (std::size_t i = 0; i < points.tip_mm.size(); ++i) {
+    const double length = points.axis[i].stableNorm();
+    const auto line = static_cast<std::uint32_t>(i + 1);
+    if (!(length > 0.0))
+      return Problem{.code = Code::zero_tool_axis,
+                     .message = "the tool axis of point " + std::to_string(i) + " has no direction",
+                     .pointer = "/path/points/" + std::to_string(i)};
+    for (const double component : points.axis[i])
+      if (decimals < most_decimals) decimals = decimals_of(component, decimals);
+    tool_path.add_point(points.tip_mm[i], points.axis[i] / length, line, path::Move::feed);
+  }
+  tool_path.axis_rounding_rad = 2.0 * std::pow(10.0, -decimals);
+  return result;
+}
+
+}  // namespace
+
+Result<ReadPath> read_path(const PostJob& job) {
+  if (const auto* cl = std::get_if<ClText>(&job.path)) return read_cl(*cl);
+  return read_points(std::get<PointPath>(job.path));
+}
+
+}  // namespace pentapost::jobs
