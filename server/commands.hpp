@@ -1,0 +1,13 @@
+#pragma once
+
+#include "server/options.hpp"
+
+namespace pentapost::server {
+
+ExitCode run(const ServeOptions& options);
+ExitCode run(const PostFileOptions& options);
+ExitCode run(const MachinesOptions& options);
+ExitCode run(const DialectsOptions& options);
+ExitCode run(const VersionOptions& options);
+
+}  // namespace pentapost::server

@@ -1,0 +1,385 @@
+#include "server/json/job_json.hpp"
+
+#include "pentapost/core/number_text.hpp"
+#include "pentapost/json/definition_json.hpp"
+#include "pentapost/json/strict_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace pentapost::server {
+namespace {
+
+using json::Domain;
+using json::Object;
+using namespace std::string_view_literals;
+
+constexpr std::array output_words{"tcp"sv, "axes"sv};
+constexpr std::array unit_words{"mm"sv, "inch"sv};
+constexpr std::array tilt_words{"positive"sv, "negative"sv};
+constexpr std::int64_t largest_tool_number = 999'999'999;
+
+/// The words of a job, and where in the JSON job each belongs.
+struct WordRow {
+  std::string_view name, pointer;
+};
+constexpr std::array word_rows{
+    WordRow{"machine", "/machine"},
+    WordRow{"output", "/post/output"},
+    WordRow{"dialect", "/post/dialect"},
+    WordRow{"tip_mm", "/tolerances/tip_mm"},
+    WordRow{"axis_deg", "/tolerances/axis_deg"},
+    WordRow{"cl_units", "/cl_units"},
+    WordRow{"program_name", "/post/program_name"},
+};
+
+std::string_view pointer_of(std::string_view word) {
+  const auto row = std::ranges::find(word_rows, word, &WordRow::name);
+  return row == word_rows.end() ? std::string_view{} : row->pointer;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+/// A name as a message shows it: what a client sends may be long.
+std::string quoted(std::string_view name) {
+  constexpr std::size_t longest = 80;
+  const bool cut = name.size() > longest;
+  std::string text{"'"};
+  return text.append(name.substr(0, longest)).append(cut ? "...'" : "'");
+}
+
+/// Reads one job. The first failure is kept; readers go on with defaults after it.
+class JobReader {
+ public:
+  JobReader(json::Document& document, const JobParts& parts, const JobContext& context)
+      : document_{document}, parts_{parts}, context_{context} {}
+
+  Result<jobs::PostJob> read();
+
+ private:
+  void check_words();
+  const std::string* word(std::string_view name, const std::optional<Object>& object,
+                          std::string_view key);
+  std::optional<std::size_t> choice(std::string_view name, const std::optional<Object>& object,
+                                    std::string_view key, std::span<const std::string_view> words);
+  std::optional<double> tolerance(std::string_view name, const std::optional<Object>& object);
+  std::optional<std::string> text(std::string_view name, const std::optional<Object>& object);
+  void fail(Code code, std::string_view pointer, std::string message);
+
+  std::optional<machine::Definition> machine_of(const Object& job);
+  void read_path(const Object& job, jobs::PostJob& result);
+  void read_cl(const Object& job, jobs::PostJob& result);
+  void read_points(const Object& path, jobs::PostJob& result);
+  void read_setup(const Object& job, jobs::Setup& setup);
+  void read_tools(const Object& job, jobs::PostJob& result);
+  void read_tolerances(const Object& job, jobs::Tolerances& tolerances);
+  void read_post(const Object& job, jobs::PostOptions& post);
+  void read_prefer(const Object& prefer, jobs::PostOptions& post);
+  void read_limits(const Object& job, jobs::PostJob& result);
+
+  json::Document& document_;
+  const JobParts& parts_;
+  const JobContext& context_;
+  std::optional<Problem> word_problem_ = {};  ///< first failure outside the JSON text
+};
+
+void JobReader::fail(Code code, std::string_view pointer, std::string message) {
+  if (word_problem_ || document_.problem()) return;
+  word_problem_ =
+      Problem{.code = code, .message = std::move(message), .pointer = std::string{pointer}};
+}
+
+void JobReader::check_words() {
+  for (const auto& [name, value] : parts_.words) {
+    if (pointer_of(name).empty())
+      return fail(Code::unknown_key, "", quoted(name) + " is not a key of this form");
+    const auto same = [&name = name](const auto& field) { return field.first == name; };
+    if (std::ranges::count_if(parts_.words, same) > 1)
+      return fail(Code::conflicting_keys, pointer_of(name), quoted(name) + " stands twice");
+  }
+}
+
+/// The word of that name; nullptr: there is none. It and the key in the JSON job exclude each
+/// other.
+const std::string* JobReader::word(std::string_view name, const std::optional<Object>& object,
+                                   std::string_view key) {
+  const auto* found = find_field(parts_.words, name);
+  if (found != nullptr && object && object->has(key)) {
+    fail(Code::conflicting_keys, pointer_of(name),
+         quoted(name) + " stands in the job and beside it");
+  }
+  return found;
+}
+
+std::optional<std::size_t> JobReader::choice(std::string_view name,
+                                             const std::optional<Object>& object,
+                                             std::string_view key,
+                                             std::span<const std::string_view> words) {
+  const auto* found = word(name, object, key);
+  if (found == nullptr) return object ? object->optional_choice(key, words) : std::nullopt;
+  const auto place = std::ranges::find(words, std::string_view{*found});
+  if (place == words.end()) {
+    fail(Code::out_of_domain, pointer_of(name),
+         "found " + quoted(*found) + ", expected " + joined({words.begin(), words.end()}));
+    return std::nullopt;
+  }
+  return static_cast<std::size_t>(place - words.begin());
+}
+
+std::optional<double> JobReader::tolerance(std::string_view name,
+                                           const std::optional<Object>& object) {
+  const auto* found = word(name, object, name);
+  if (found == nullptr)
+    return object ? object->optional_number(name, Domain::positive()) : std::nullopt;
+  const auto number = parse_number(*found);
+  if (!number || number->length != found->size() || !Domain::positive().contains(number->value)) {
+    fail(Code::out_of_domain, pointer_of(name),
+         "found " + quoted(*found) + ", expected a number > 0");
+    return std::nullopt;
+  }
+  return number->value;
+}
+
+std::optional<std::string> JobReader::text(std::string_view name,
+                                           const std::optional<Object>& object) {
+  const auto* found = word(name, object, name);
+  if (found != nullptr) return *found;
+  return object ? object->optional_string(name) : std::nullopt;
+}
+
+std::optional<machine::Definition> JobReader::machine_of(const Object& job) {
+  std::optional<std::string> name;
+  if (const auto* found = word("machine", job, "machine")) {
+    name = *found;
+  } else {
+    const auto inline_or_name = job.value("machine");
+    if (inline_or_name.is_object()) {
+      auto definition = json::definition_from_text(inline_or_name.object().text_in(*parts_.json),
+                                                   context_.dialects, "/machine");
+      if (definition) return std::move(definition).value();
+      if (!document_.problem() && !word_problem_) word_problem_ = std::move(definition).error();
+      return std::nullopt;
+    }
+    name = inline_or_name.string();
+  }
+  if (document_.problem()) return std::nullopt;
+  const auto entry = find_machine(context_.machines, *name);
+  if (entry) return (*entry)->definition;
+  fail(entry.error().code, "/machine", entry.error().message);
+  return std::nullopt;
+}
+
+void JobReader::read_path(const Object& job, jobs::PostJob& result) {
+  const bool apart = parts_.cl.has_value();
+  const int count = (apart ? 1 : 0) + (job.has("cl") ? 1 : 0) + (job.has("path") ? 1 : 0);
+  if (count > 1) return fail(Code::conflicting_keys, "", "a job has exactly one of cl and path");
+  const auto path = job.optional_object("path");
+  if (path) {
+    for (const auto key : {"cl_units"sv, "cl_dialect"sv}) {
+      if (job.has(key))
+        fail(Code::conflicting_keys, std::string{"/"}.append(key),
+             "it belongs to cl, and the job has path");
+    }
+    if (find_field(parts_.words, "cl_units") != nullptr)
+      fail(Code::conflicting_keys, "/cl_units", "it belongs to cl, and the job has path");
+    return read_points(*path, result);
+  }
+  read_cl(job, result);
+}
+
+void JobReader::read_cl(const Object& job, jobs::PostJob& result) {
+  jobs::ClText cl;
+  if (const auto unit = choice("cl_units", job, "cl_units", unit_words))
+    cl.units = *unit == 0 ? jobs::ClUnits::mm : jobs::ClUnits::inch;
+  cl.dialect = job.optional_string("cl_dialect");
+  if (!parts_.cl && job.has("cl")) cl.text = job.take_string("cl");
+  result.path = std::move(cl);
+}
+
+void JobReader::read_points(const Object& path, jobs::PostJob& result) {
+  jobs::PointPath points;
+  points.feed_mm_min = path.number("feed_mm_min", Domain::positive());
+  const auto rows = path.array("points");
+  path.finish();
+  if (document_.problem()) return;
+  if (rows.size() == 0) return rows.fail(Code::no_motion, "there is no point");
+  points.tip_mm.reserve(rows.size());
+  points.axis.reserve(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto row = rows.at(i);
+    const auto numbers = row.array().numbers(6);
+    if (document_.problem()) return;
+    points.tip_mm.emplace_back(numbers[0], numbers[1], numbers[2]);
+    points.axis.emplace_back(numbers[3], numbers[4], numbers[5]);
+    if (points.axis.back().isZero(0.0))
+      return row.fail(Code::zero_tool_axis, "the tool axis is 0, 0, 0");
+  }
+  result.path = std::move(points);
+}
+
+void JobReader::read_setup(const Object& job, jobs::Setup& setup) {
+  const auto object = job.optional_object("setup");
+  if (!object) return;
+  setup.origin_mm = object->optional_vector3("origin_mm");
+  setup.theta_x_deg = object->optional_number("theta_x_deg").value_or(0.0);
+  setup.theta_z_deg = object->optional_number("theta_z_deg").value_or(0.0);
+  object->finish();
+}
+
+void JobReader::read_tools(const Object& job, jobs::PostJob& result) {
+  const auto tools = job.optional_object("tools");
+  if (!tools) return;
+  for (const auto& key : tools->keys()) {
+    const auto tool = tools->object(key);
+    int number = 0;
+    const char* const end = key.data() + key.size();
+    const auto [stop, error] = std::from_chars(key.data(), end, number);
+    if (error != std::errc{} || stop != end || number < 0 || number > largest_tool_number ||
+        std::to_string(number) != key) {
+      return tools->fail_at(key, Code::out_of_domain,
+                            "a tool's key is its number, 0 to 999999999, without leading zeros");
+    }
+    if (const auto length = tool.optional_number("gauge_length_mm", Domain::not_negative()))
+      result.gauge_length_mm.emplace(number, *length);
+    tool.finish();
+  }
+}
+
+void JobReader::read_tolerances(const Object& job, jobs::Tolerances& tolerances) {
+  const auto object = job.optional_object("tolerances");
+  tolerances.tip_mm = tolerance("tip_mm", object).value_or(tolerances.tip_mm);
+  tolerances.axis_deg = tolerance("axis_deg", object).value_or(tolerances.axis_deg);
+  if (object) object->finish();
+}
+
+void JobReader::read_prefer(const Object& prefer, jobs::PostOptions& post) {
+  machine::Preferences preferences;
+  if (const auto tilt = prefer.optional_choice("tilt", tilt_words)) {
+    preferences.tilt =
+        *tilt == 0 ? machine::Preferences::Tilt::positive : machine::Preferences::Tilt::negative;
+  }
+  if (const auto window = prefer.optional_range("first_turn_deg")) {
+    preferences.first_turn = Range<Angle>{.lower = Angle::degrees(window->lower),
+                                          .upper = Angle::degrees(window->upper)};
+  }
+  prefer.finish();
+  post.prefer = preferences;
+}
+
+void JobReader::read_post(const Object& job, jobs::PostOptions& post) {
+  const auto object = job.optional_object("post");
+  if (const auto output = choice("output", object, "output", output_words))
+    post.output = *output == 0 ? Output::tcp : Output::axes;
+  post.dialect = text("dialect", object);
+  if (post.dialect &&
+      std::ranges::find(context_.dialects, *post.dialect) == context_.dialects.end()) {
+    fail(Code::unknown_dialect, pointer_of("dialect"),
+         "found " + quoted(*post.dialect) + ", expected one of " +
+             joined({context_.dialects.begin(), context_.dialects.end()}));
+  }
+  post.program_name = text("program_name", object);
+  if (!object) return;
+  post.flank = object->optional_boolean("flank").value_or(false);
+  if (const auto prefer = object->optional_object("prefer")) read_prefer(*prefer, post);
+  object->finish();
+}
+
+/// The joint of that name; nullptr: the chain has none.
+const machine::Joint* find_joint(const machine::Chain& chain, std::string_view name) {
+  for (const auto joints : {chain.table(), chain.head()}) {
+    const auto joint = std::ranges::find(joints, name, &machine::Joint::name);
+    if (joint != joints.end()) return &*joint;
+  }
+  return nullptr;
+}
+
+void JobReader::read_limits(const Object& job, jobs::PostJob& result) {
+  const auto limits = job.optional_object("limits");
+  if (!limits) return;
+  for (const auto& name : limits->keys()) {
+    const auto object = limits->object(name);
+    const auto* const joint = find_joint(result.machine.chain, name);
+    if (joint == nullptr)
+      return limits->fail_at(name, Code::out_of_domain, "the machine has no axis of that name");
+    const std::string unit = joint->is_rotary() ? "deg" : "mm";
+    const double factor = joint->is_rotary() ? rad_per_deg : 1.0;
+    const auto limit = [&](const std::string& key) -> std::optional<double> {
+      const auto number = object.optional_number(key, Domain::positive());
+      return number ? std::optional{*number * factor} : std::nullopt;
+    };
+    result.limits.emplace(name, machine::AxisLimits{
+                                    .max_speed = limit("max_speed_" + unit + "_s"),
+                                    .max_acceleration = limit("max_acceleration_" + unit + "_s2"),
+                                    .max_jerk = limit("max_jerk_" + unit + "_s3"),
+                                });
+    object.finish();
+  }
+}
+
+Result<jobs::PostJob> JobReader::read() {
+  const auto job = document_.object();
+  if (document_.problem()) return *document_.problem();
+  check_words();
+  auto definition = machine_of(job);
+  if (document_.problem()) return *document_.problem();
+  if (word_problem_) return *word_problem_;
+
+  jobs::PostJob result{.machine = std::move(*definition), .path = {}};
+  read_path(job, result);
+  read_setup(job, result.setup);
+  read_tools(job, result);
+  read_tolerances(job, result.tolerances);
+  read_post(job, result.post);
+  read_limits(job, result);
+  job.finish();
+  if (!parts_.cl && !job.has("cl") && !job.has("path"))
+    fail(Code::missing_key, "", "a job has exactly one of cl and path");
+  if (document_.problem()) return *document_.problem();
+  if (word_problem_) return *word_problem_;
+  return result;
+}
+
+}  // namespace
+
+Problem missing_machine(const machine::Library& machines, std::string_view name,
+                        std::string_view version) {
+  if (machines.find(name) == nullptr) {
+    const auto near = machines.near_names(name);
+    const std::string hint = near.empty() ? "" : "; near: " + joined(near);
+    return Problem{.code = Code::unknown_machine,
+                   .message = "there is no machine " + quoted(name) + hint};
+  }
+  return Problem{.code = Code::unknown_version,
+                 .message = "there is no version " + quoted(version) + " of " + quoted(name) +
+                            "; there are: " + joined(machines.versions(name))};
+}
+
+Result<const machine::LibraryEntry*> find_machine(const machine::Library& machines,
+                                                  std::string_view name_and_version) {
+  const auto at = name_and_version.find('@');
+  const auto name = name_and_version.substr(0, at);
+  const bool newest = at == std::string_view::npos;
+  const auto version = newest ? std::string_view{} : name_and_version.substr(at + 1);
+  const auto* const entry = newest ? machines.find(name) : machines.find(name, version);
+  if (entry != nullptr) return entry;
+  return missing_machine(machines, name, version);
+}
+
+Result<jobs::PostJob> read_job(JobParts parts, const JobContext& context) {
+  auto document = json::Document::parse(parts.json ? *parts.json : "{}"sv);
+  if (!document) return std::move(document).error();
+  auto job = JobReader{*document, parts, context}.read();
+  if (!job || !parts.cl) return job;
+  std::get<jobs::ClText>(job->path).text = std::move(*parts.cl);
+  return job;
+}
+
+}  // namespace pentapost::server

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "pentapost/core/result.hpp"
+#include "pentapost/jobs/post.hpp"
+#include "pentapost/machine/library.hpp"
+#include "server/http/message.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace pentapost::server {
+
+/// What a job's names refer to.
+struct JobContext {
+  const machine::Library& machines;
+  std::span<const std::string_view> dialects;  ///< names of the controller dialects
+};
+
+/// A job as it arrives, whatever its form. What two parts both say is a Problem conflicting_keys.
+struct JobParts {
+  std::optional<std::string> json = {};  ///< the JSON job
+  std::optional<std::string> cl = {};    ///< text of the CL file, where it came apart from the job
+  /// machine, output, dialect, tip_mm, axis_deg, cl_units, program_name, as text.
+  Fields words = {};
+};
+
+/// Reads a job for POST /post. Degrees become radians, machine names become definitions.
+///
+/// @return Problem with the JSON pointer (for a word: of the key in the JSON job that it stands
+///         for): bad_json, unknown_key, missing_key, wrong_type, out_of_domain, conflicting_keys,
+///         unknown_machine, unknown_version, unknown_dialect, zero_tool_axis, no_motion, or what
+///         an inline definition is refused with.
+Result<jobs::PostJob> read_job(JobParts parts, const JobContext& context);
+
+/// Why the library has no such entry: unknown_machine, with near names, or unknown_version, with
+/// the versions that there are.
+Problem missing_machine(const machine::Library& machines, std::string_view name,
+                        std::string_view version);
+
+/// The machine of that name or name@version, or the Problem of missing_machine().
+Result<const machine::LibraryEntry*> find_machine(const machine::Library& machines,
+                                                  std::string_view name_and_version);
+
+}  // namespace pentapost::server

@@ -1,0 +1,33 @@
+#include "server/machine_folder.hpp"
+
+#include "pentapost/json/machine_files.hpp"
+#include "server/dialect_names.hpp"
+
+#include <iostream>
+#include <system_error>
+#include <utility>
+
+namespace pentapost::server {
+
+std::filesystem::path machine_folder(const std::string& given) {
+  if (!given.empty()) return given;
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  const auto installed = program.parent_path().parent_path() / "share/pentapost/machines";
+  if (!error && std::filesystem::is_directory(installed, error)) return installed;
+  return PENTAPOST_SOURCE_MACHINES;
+}
+
+std::optional<machine::Library> load_library(const std::filesystem::path& folder, bool skip_bad) {
+  const auto dialects = dialect_names();
+  auto loaded = json::load_machines(folder, dialects);
+  for (const auto& bad : loaded.bad) std::cerr << json::text_of(bad) << '\n';
+  if (!loaded.bad.empty() && !skip_bad) return std::nullopt;
+  if (loaded.library.empty()) {
+    std::cerr << "no machine definition in " << folder.string() << '\n';
+    return std::nullopt;
+  }
+  return std::move(loaded.library);
+}
+
+}  // namespace pentapost::server

@@ -1,0 +1,119 @@
+#include "server/options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+namespace pentapost::server {
+namespace {
+
+constexpr auto exit_codes =
+    "Exit codes: 0 done; 1 wrong usage; 2 the CL data or the job are wrong; 3 this machine can't\n"
+    "do it; 4 a defect of the program; 5 a file or a port can't be used.";
+
+void add_machines(CLI::App& command, std::string& machines) {
+  command
+      .add_option("--machines", machines,
+                  "Folder of machine definitions [default: share/pentapost/machines beside the "
+                  "program's folder, or the source tree's]")
+      ->type_name("DIR")
+      ->envname("PENTAPOST_MACHINES");
+}
+
+void add_skip(CLI::App& command, bool& skip) {
+  command
+      .add_flag(
+          "--skip-bad-machines", skip,
+          "Go on without definitions that are not usable [default: off, they end the program]")
+      ->envname("PENTAPOST_SKIP_BAD_MACHINES");
+}
+
+CLI::App* add_serve(CLI::App& app, ServeOptions& options) {
+  auto* const command = app.add_subcommand("serve", "Serve HTTP until SIGTERM or SIGINT");
+  command->add_option("--host", options.host, "Address to listen on")
+      ->envname("PENTAPOST_HOST")
+      ->capture_default_str();
+  command->add_option("--port", options.port, "Port to listen on; 0: any free one, see the log")
+      ->envname("PENTAPOST_PORT")
+      ->check(CLI::Range(0, 65'535))
+      ->capture_default_str();
+  add_machines(*command, options.machines);
+  command->add_option("--body-limit-mib", options.body_limit_mib, "Largest request body, in MiB")
+      ->envname("PENTAPOST_BODY_LIMIT_MIB")
+      ->check(CLI::Range(1, 65'536))
+      ->capture_default_str();
+  command->add_option("--threads", options.threads, "Jobs that compute at once; 0: one a processor")
+      ->envname("PENTAPOST_THREADS")
+      ->check(CLI::Range(0, 1'024))
+      ->capture_default_str();
+  command->add_option("--queue", options.queue, "Jobs admitted beyond these; more get 503")
+      ->envname("PENTAPOST_QUEUE")
+      ->check(CLI::Range(0, 100'000))
+      ->capture_default_str();
+  command->add_option("--connections", options.connections, "Connections served at once")
+      ->envname("PENTAPOST_CONNECTIONS")
+      ->check(CLI::Range(1, 4'096))
+      ->capture_default_str();
+  add_skip(*command, options.skip_bad_machines);
+  command->add_flag("--check", options.check,
+                    "Load the machines, say what is wrong with them, and end [default: off]");
+  command->footer(exit_codes);
+  return command;
+}
+
+CLI::App* add_post(CLI::App& app, PostFileOptions& options) {
+  auto* const command =
+      app.add_subcommand("post", "Post one CL file: NC program on stdout, report on stderr");
+  command->add_option("FILE", options.file,
+                      "CL file; -: standard input. Not with a job that has "
+                      "its own path");
+  command->add_option("--machine", options.machine, "NAME or NAME@VERSION")
+      ->envname("PENTAPOST_MACHINE");
+  add_machines(*command, options.machines);
+  add_skip(*command, options.skip_bad_machines);
+  command->add_option("--output", options.output, "tcp or axes [default: as the machine]");
+  command->add_option("--dialect", options.dialect, "Controller dialect [default: as the machine]");
+  command->add_option("--tip-mm", options.tip_mm, "Tolerance of the tool tip [default: 0.01]");
+  command->add_option("--axis-deg", options.axis_deg, "Tolerance of the tool axis [default: 0.05]");
+  command->add_option("--cl-units", options.cl_units, "mm or inch [default: as the file]");
+  command->add_option("--program-name", options.program_name, "[default: from PARTNO]");
+  command->add_option("--job", options.job, "The other keys of a job, as JSON [default: none]")
+      ->type_name("JOB.json");
+  command->add_option("--report", options.report, "File for the report [default: stderr]")
+      ->type_name("FILE");
+  command->add_option("--out", options.out, "File for the NC program [default: stdout]")
+      ->type_name("FILE");
+  command->footer(exit_codes);
+  return command;
+}
+
+}  // namespace
+
+std::variant<Command, ExitCode> read_options(int argument_count, const char* const* arguments) {
+  CLI::App app{"Pentapost: five-axis CL data in, proven NC programs out.", "pentapost"};
+  app.require_subcommand(1);
+  app.set_help_all_flag("--help-all", "Help of all commands");
+  app.footer(exit_codes);
+  ServeOptions serve;
+  PostFileOptions post;
+  MachinesOptions machines;
+  const auto* const serve_command = add_serve(app, serve);
+  const auto* const post_command = add_post(app, post);
+  auto* const machines_command = app.add_subcommand("machines", "List the machines");
+  add_machines(*machines_command, machines.machines);
+  const auto* const dialects_command =
+      app.add_subcommand("dialects", "List the controller dialects and their options");
+  app.add_subcommand("version", "Print the version");
+  try {
+    app.parse(argument_count, arguments);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error, std::cout, std::cerr) == 0 ? exit_ok : exit_usage;
+  }
+  if (serve_command->parsed()) return Command{serve};
+  if (post_command->parsed()) return Command{post};
+  if (machines_command->parsed()) return Command{machines};
+  if (dialects_command->parsed()) return Command{DialectsOptions{}};
+  return Command{VersionOptions{}};
+}
+
+}  // namespace pentapost::server

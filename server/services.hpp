@@ -1,0 +1,18 @@
+#pragma once
+
+#include "pentapost/jobs/post.hpp"
+#include "pentapost/machine/library.hpp"
+
+#include <functional>
+#include <string>
+
+namespace pentapost::server {
+
+/// What the endpoints work with. Tests put their own in.
+struct Services {
+  machine::Library machines;
+  std::function<Result<jobs::PostReport>(const jobs::PostJob&)> post;
+  std::function<std::string()> next_request_id;  ///< called from several threads
+};
+
+}  // namespace pentapost::server

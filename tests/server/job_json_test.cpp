@@ -1,0 +1,250 @@
+#include "server/json/job_json.hpp"
+
+#include "sample_server.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace pentapost::server {
+namespace {
+
+Result<jobs::PostJob> read(JobParts parts) {
+  static const auto machines = sample::library();
+  const auto dialects = dialect_names();
+  return read_job(std::move(parts), {.machines = machines, .dialects = dialects});
+}
+
+Result<jobs::PostJob> read(const std::string& json) { return read(JobParts{.json = json}); }
+
+/// A job with further members.
+Result<jobs::PostJob> read_with(const std::string& members) {
+  return read(R"({"machine": "demo", "cl": "GOTO/1,2,3", )" + members + "}");
+}
+
+TEST(JobJson, ReadsEveryKey) {
+  const auto job = read(R"({
+    "machine": "demo@1.0.0", "cl": "GOTO/1,2,3\n", "cl_units": "inch", "cl_dialect": "nx",
+    "setup": {"origin_mm": [1, 2, 3], "theta_x_deg": -10, "theta_z_deg": 20},
+    "tools": {"1": {"gauge_length_mm": 120.5}, "0": {"gauge_length_mm": 0}, "7": {}},
+    "tolerances": {"tip_mm": 0.02, "axis_deg": 0.1},
+    "post": {"output": "axes", "dialect": "heidenhain-iso", "program_name": "P", "flank": true,
+             "prefer": {"tilt": "negative", "first_turn_deg": [-180, 180]}},
+    "limits": {"C": {"max_speed_deg_s": 180, "max_acceleration_deg_s2": 360, "max_jerk_deg_s3": 90},
+               "X": {"max_speed_mm_s": 250, "max_acceleration_mm_s2": 500, "max_jerk_mm_s3": 3000}}
+  })");
+  ASSERT_TRUE(job) << job.error().message;
+
+  EXPECT_EQ(job->machine.version, "1.0.0");
+  const auto& cl = std::get<jobs::ClText>(job->path);
+  EXPECT_EQ(cl.text, "GOTO/1,2,3\n");
+  EXPECT_EQ(cl.units, jobs::ClUnits::inch);
+  EXPECT_EQ(cl.dialect, "nx");
+  EXPECT_EQ(job->setup.origin_mm, Vec3(1.0, 2.0, 3.0));
+  EXPECT_EQ(job->setup.theta_x_deg, -10.0);
+  EXPECT_EQ(job->setup.theta_z_deg, 20.0);
+  EXPECT_EQ(job->gauge_length_mm, (std::map<int, double>{{0, 0.0}, {1, 120.5}}));
+  EXPECT_EQ(job->tolerances.tip_mm, 0.02);
+  EXPECT_EQ(job->tolerances.axis_deg, 0.1);
+  EXPECT_EQ(job->post.output, Output::axes);
+  EXPECT_EQ(job->post.dialect, "heidenhain-iso");
+  EXPECT_EQ(job->post.program_name, "P");
+  EXPECT_TRUE(job->post.flank);
+  EXPECT_EQ(job->post.prefer->tilt, machine::Preferences::Tilt::negative);
+  EXPECT_EQ(job->post.prefer->first_turn,
+            (Range<Angle>{Angle::degrees(-180), Angle::degrees(180)}));
+  EXPECT_NEAR(job->limits.at("C").max_speed.value(), 3.14159265358979, 1e-13);
+  EXPECT_NEAR(job->limits.at("C").max_acceleration.value(), 6.28318530717959, 1e-13);
+  EXPECT_NEAR(job->limits.at("C").max_jerk.value(), 1.57079632679490, 1e-13);
+  EXPECT_EQ(job->limits.at("X").max_speed, 250.0);
+  EXPECT_EQ(job->limits.at("X").max_acceleration, 500.0);
+  EXPECT_EQ(job->limits.at("X").max_jerk, 3000.0);
+}
+
+TEST(JobJson, HasTheDefaultsOfTheContract) {
+  const auto job = read(R"({"machine": "demo", "cl": ""})");
+  ASSERT_TRUE(job);
+
+  EXPECT_EQ(job->machine.version, "1.1.0");
+  EXPECT_EQ(job->tolerances.tip_mm, 0.01);
+  EXPECT_EQ(job->tolerances.axis_deg, 0.05);
+  EXPECT_FALSE(job->setup.origin_mm);
+  EXPECT_FALSE(job->post.output || job->post.dialect || job->post.program_name || job->post.prefer);
+  EXPECT_FALSE(job->post.flank);
+}
+
+TEST(JobJson, TakesNullAsNotGiven) {
+  const auto job = read_with(R"("post": {"dialect": null, "program_name": null}, "setup": null)");
+  ASSERT_TRUE(job);
+
+  EXPECT_FALSE(job->post.dialect);
+}
+
+TEST(JobJson, ReadsPoints) {
+  const auto job = read(R"({"machine": "demo",
+                            "path": {"feed_mm_min": 100, "points": [[1,2,3,0,0,1],[4,5,6,0,0.6,0.8]]}})");
+  ASSERT_TRUE(job) << job.error().message;
+  const auto& path = std::get<jobs::PointPath>(job->path);
+
+  EXPECT_EQ(path.feed_mm_min, 100.0);
+  ASSERT_EQ(path.tip_mm.size(), 2u);
+  EXPECT_EQ(path.tip_mm[1], Vec3(4, 5, 6));
+  EXPECT_EQ(path.axis[1], Vec3(0, 0.6, 0.8));
+}
+
+TEST(JobJson, ReadsAnInlineMachine) {
+  const auto job =
+      read(R"({"cl": "", "machine": )" + sample::definition_text("mine", "3.0.0") + "}");
+  ASSERT_TRUE(job) << job.error().message;
+
+  EXPECT_EQ(job->machine.name, "mine");
+}
+
+struct Refusal {
+  std::string json;
+  Code code;
+  std::string pointer;
+};
+
+TEST(JobJson, RefusesWithThePlace) {
+  const std::string start = R"({"machine": "demo", "cl": "", )";
+  for (
+      const auto& [json, code, pointer] : std::vector<Refusal>{
+          {"", Code::bad_json, ""},
+          {"{", Code::bad_json, ""},
+          {"[]", Code::wrong_type, ""},
+          {"{}", Code::missing_key, "/machine"},
+          {R"({"cl": ""})", Code::missing_key, "/machine"},
+          {R"({"machine": "demo"})", Code::missing_key, ""},
+          {R"({"machine": 5, "cl": ""})", Code::wrong_type, "/machine"},
+          {R"({"machine": "dmeo", "cl": ""})", Code::unknown_machine, "/machine"},
+          {R"({"machine": "demo@9.0.0", "cl": ""})", Code::unknown_version, "/machine"},
+          {R"({"machine": "demo@", "cl": ""})", Code::unknown_version, "/machine"},
+          {R"({"machine": {}, "cl": ""})", Code::definition_schema, "/machine"},
+          {start + R"("path": {"feed_mm_min": 1, "points": [[0,0,0,0,0,1]]}})",
+           Code::conflicting_keys, ""},
+          {start + R"("cl": ""})", Code::bad_json, ""},
+          {start + R"("tolerance": {}})", Code::unknown_key, "/tolerance"},
+          {start + R"("dual_nurbs": {}})", Code::unknown_key, "/dual_nurbs"},
+          {R"({"machine": "demo", "nc": "M30"})", Code::unknown_key, "/nc"},
+          {start + R"("tolerances": {"tip_mm": 0}})", Code::out_of_domain, "/tolerances/tip_mm"},
+          {start + R"("tolerances": {"tip_mm": -1}})", Code::out_of_domain, "/tolerances/tip_mm"},
+          {start + R"("tolerances": {"axis_deg": "1"}})", Code::wrong_type, "/tolerances/axis_deg"},
+          {start + R"("tolerances": {"axis_deg": 1e999}})", Code::bad_number, ""},
+          {start + R"("tolerances": {"axis_deg": NaN}})", Code::bad_json, ""},
+          {start + R"("tolerances": {"a/b~": 1}})", Code::unknown_key, "/tolerances/a~1b~0"},
+          {start + R"("cl_units": "cm"})", Code::out_of_domain, "/cl_units"},
+          {start + R"("setup": {"origin_mm": [1, 2]}})", Code::wrong_type, "/setup/origin_mm"},
+          {start + R"("tools": {"x": {}}})", Code::out_of_domain, "/tools/x"},
+          {start + R"("tools": {"01": {}}})", Code::out_of_domain, "/tools/01"},
+          {start + R"("tools": {"-1": {}}})", Code::out_of_domain, "/tools/-1"},
+          {start + R"("tools": {"1": {"gauge_length_mm": -1}}})", Code::out_of_domain,
+           "/tools/1/gauge_length_mm"},
+          {start + R"("tools": {"1": {"length": 1}}})", Code::unknown_key, "/tools/1/length"},
+          {start + R"("post": {"output": "joints"}})", Code::out_of_domain, "/post/output"},
+          {start + R"("post": {"dialect": "fanuc"}})", Code::unknown_dialect, "/post/dialect"},
+          {start + R"("post": {"prefer": {"tilt": 1}}})", Code::wrong_type, "/post/prefer/tilt"},
+          {start + R"("limits": {"B": {"max_speed_deg_s": 1}}})", Code::out_of_domain, "/limits/B"},
+          {start + R"("limits": {"X": {"max_speed_deg_s": 1}}})", Code::unknown_key,
+           "/limits/X/max_speed_deg_s"},
+          {start + R"("limits": {"C": {"max_speed_deg_s": 0}}})", Code::out_of_domain,
+           "/limits/C/max_speed_deg_s"},
+          {R"({"machine": "demo", "path": {"feed_mm_min": 0, "points": [[0,0,0,0,0,1]]}})",
+           Code::out_of_domain, "/path/feed_mm_min"},
+          {R"({"machine": "demo", "path": {"feed_mm_min": 1, "points": []}})", Code::no_motion,
+           "/path/points"},
+          {R"({"machine": "demo", "path": {"feed_mm_min": 1, "points": [[0,0,0,0,0,1],[0,0,0,0,1]]}})",
+           Code::wrong_type, "/path/points/1"},
+          {R"({"machine": "demo", "path": {"feed_mm_min": 1, "points": [[0,0,0,0,0,0]]}})",
+           Code::zero_tool_axis, "/path/points/0"},
+          {R"({"machine": "demo", "cl_units": "mm", "path": {"feed_mm_min": 1, "points": [[0,0,0,0,0,1]]}})",
+           Code::conflicting_keys, "/cl_units"},
+      }) {
+    SCOPED_TRACE(json);
+    const auto job = read(json);
+    ASSERT_FALSE(job);
+    EXPECT_EQ(row_of(job.error().code).name, row_of(code).name) << job.error().message;
+    EXPECT_EQ(job.error().pointer, pointer);
+    EXPECT_FALSE(job.error().message.empty());
+  }
+}
+
+TEST(JobJson, OffersNearMachinesAndTheVersions) {
+  EXPECT_NE(read(R"({"machine": "dmeo", "cl": ""})").error().message.find("demo"),
+            std::string::npos);
+  EXPECT_NE(read(R"({"machine": "demo@3.0.0", "cl": ""})").error().message.find("1.1.0, 1.0.0"),
+            std::string::npos);
+}
+
+TEST(JobJson, ShowsLongNamesShortened) {
+  const auto job = read(R"({"cl": "", "machine": ")" + std::string(1'000'000, 'm') + "\"}");
+  ASSERT_FALSE(job);
+  EXPECT_LT(job.error().message.size(), 300u);
+}
+
+TEST(JobJson, RefusesDepthBeforeItHurts) {
+  const std::string deep(5'000'000, '[');
+  EXPECT_EQ(read(deep).error().code, Code::bad_json);
+  EXPECT_EQ(read_with("\"setup\": " + deep).error().code, Code::bad_json);
+}
+
+TEST(JobWords, SayTheSameAsTheKeys) {
+  const auto job = read({.cl = "GOTO/1,2,3",
+                         .words = {{"machine", "demo@1.0.0"},
+                                   {"output", "axes"},
+                                   {"dialect", "heidenhain-iso"},
+                                   {"tip_mm", "0.02"},
+                                   {"axis_deg", ".1"},
+                                   {"cl_units", "inch"},
+                                   {"program_name", "P"}}});
+  ASSERT_TRUE(job) << job.error().message;
+
+  EXPECT_EQ(job->machine.version, "1.0.0");
+  EXPECT_EQ(std::get<jobs::ClText>(job->path).text, "GOTO/1,2,3");
+  EXPECT_EQ(std::get<jobs::ClText>(job->path).units, jobs::ClUnits::inch);
+  EXPECT_EQ(job->post.output, Output::axes);
+  EXPECT_EQ(job->post.dialect, "heidenhain-iso");
+  EXPECT_EQ(job->post.program_name, "P");
+  EXPECT_EQ(job->tolerances.tip_mm, 0.02);
+  EXPECT_EQ(job->tolerances.axis_deg, 0.1);
+}
+
+TEST(JobWords, AreRefusedWithThePlaceOfTheirKey) {
+  for (const auto& [name, word, code, pointer] :
+       std::vector<std::tuple<std::string, std::string, Code, std::string>>{
+           {"tip_mm", "0", Code::out_of_domain, "/tolerances/tip_mm"},
+           {"tip_mm", "1e999", Code::out_of_domain, "/tolerances/tip_mm"},
+           {"tip_mm", "nan", Code::out_of_domain, "/tolerances/tip_mm"},
+           {"axis_deg", "1x", Code::out_of_domain, "/tolerances/axis_deg"},
+           {"axis_deg", "", Code::out_of_domain, "/tolerances/axis_deg"},
+           {"output", "TCP", Code::out_of_domain, "/post/output"},
+           {"dialect", "x", Code::unknown_dialect, "/post/dialect"},
+           {"cl_units", "cm", Code::out_of_domain, "/cl_units"},
+           {"tolerance", "1", Code::unknown_key, ""},
+           {"machine", "demo", Code::conflicting_keys, "/machine"},
+       }) {
+    SCOPED_TRACE(name + '=' + word);
+    const auto job = read({.cl = "", .words = {{"machine", "demo"}, {name, word}}});
+    ASSERT_FALSE(job);
+    EXPECT_EQ(row_of(job.error().code).name, row_of(code).name);
+    EXPECT_EQ(job.error().pointer, pointer);
+  }
+}
+
+TEST(JobWords, AndTheJobExcludeEachOther) {
+  EXPECT_EQ(read({.json = R"({"machine": "demo"})", .cl = "", .words = {{"machine", "demo"}}})
+                .error()
+                .code,
+            Code::conflicting_keys);
+  EXPECT_EQ(read({.json = R"({"machine": "demo", "cl": ""})", .cl = ""}).error().code,
+            Code::conflicting_keys);
+  EXPECT_EQ(read({.json = R"({"machine": "demo", "tolerances": {"tip_mm": 1}})",
+                  .cl = "",
+                  .words = {{"tip_mm", "1"}}})
+                .error()
+                .pointer,
+            "/tolerances/tip_mm");
+}
+
+}  // namespace
+}  // namespace pentapost::server
