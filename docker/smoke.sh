@@ -33,7 +33,7 @@ curl --silent --fail "http://127.0.0.1:$port/healthz" >/dev/null || {
 nc="$(curl --silent --fail-with-body -H 'Content-Type: text/plain' \
   --data-binary @tests/data/papers/cripps-2017-original.cl \
   "http://127.0.0.1:$port/post?machine=hermle-c600u&axis_deg=0.1")"
-grep -q 'A+22.586 C+333.177' <<<"$nc" || fail "the NC program is not the one of the paper"
+grep -q 'X+14 Y+0 Z-8 A+7.141 C+117.071' <<<"$nc" || fail "the NC program is not the one of the paper"
 [ "$("$engine" exec "$name" id -u)" != 0 ] || fail "the server runs as root"
 "$engine" stop --time 30 "$name" >/dev/null
 code="$("$engine" inspect --format '{{.State.ExitCode}}' "$name")"

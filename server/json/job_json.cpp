@@ -73,6 +73,7 @@ class JobReader {
   std::optional<double> tolerance(std::string_view name, const std::optional<Object>& object);
   std::optional<std::string> text(std::string_view name, const std::optional<Object>& object);
   void fail(Code code, std::string_view pointer, std::string message);
+  const std::optional<Problem>& first_problem() const;
 
   std::optional<machine::Definition> machine_of(const Object& job);
   void read_path(const Object& job, jobs::PostJob& result);
@@ -95,6 +96,11 @@ void JobReader::fail(Code code, std::string_view pointer, std::string message) {
   if (word_problem_ || document_.problem()) return;
   word_problem_ =
       Problem{.code = code, .message = std::move(message), .pointer = std::string{pointer}};
+}
+
+/// fail() keeps nothing after a failure of the document, so what it kept came before.
+const std::optional<Problem>& JobReader::first_problem() const {
+  return word_problem_ ? word_problem_ : document_.problem();
 }
 
 void JobReader::check_words() {
@@ -329,8 +335,7 @@ Result<jobs::PostJob> JobReader::read() {
   if (document_.problem()) return *document_.problem();
   check_words();
   auto definition = machine_of(job);
-  if (document_.problem()) return *document_.problem();
-  if (word_problem_) return *word_problem_;
+  if (auto first = first_problem()) return *first;
 
   jobs::PostJob result{.machine = std::move(*definition), .path = {}};
   read_path(job, result);
@@ -342,8 +347,7 @@ Result<jobs::PostJob> JobReader::read() {
   job.finish();
   if (!parts_.cl && !job.has("cl") && !job.has("path"))
     fail(Code::missing_key, "", "a job has exactly one of cl and path");
-  if (document_.problem()) return *document_.problem();
-  if (word_problem_) return *word_problem_;
+  if (auto first = first_problem()) return *first;
   return result;
 }
 

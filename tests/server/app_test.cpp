@@ -341,7 +341,7 @@ TEST(Endpoints, AreThoseOfTheContract) {
   for (auto at = contract.find("\n  /"); at != std::string::npos;
        at = contract.find("\n  /", at + 1)) {
     const auto path = contract.substr(at + 3, contract.find(":\n", at) - at - 3);
-    const auto method = contract.find_first_not_of(' ', contract.find('\n', at + 1));
+    const auto method = contract.find_first_not_of(" \n", contract.find('\n', at + 1));
     documented.insert(contract.substr(method, contract.find(':', method) - method) + ' ' + path);
   }
   std::set<std::string> served;

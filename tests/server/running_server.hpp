@@ -140,7 +140,7 @@ struct Counted {
   std::atomic<int> jobs = 0;
   std::atomic<std::size_t> bytes = 0;
   Services services() {
-    return services([this](const jobs::PostJob& job) -> Result<jobs::PostReport> {
+    return sample::services([this](const jobs::PostJob& job) -> Result<jobs::PostReport> {
       ++jobs;
       bytes = std::get<jobs::ClText>(job.path).text.size();
       return report();

@@ -108,7 +108,7 @@ std::size_t values_of_control(const NurbsBlock& block) {
     if (is_even && (values == 3 || values == 4 || values == 6 || values == 7)) return values;
   }
   // Several points a statement: the count of points is among the header's numbers.
-  for (const std::size_t values : {3, 4, 6, 7}) {
+  for (const std::size_t values : std::array<std::size_t, 4>{3, 4, 6, 7}) {
     const double count = static_cast<double>(block.controls.size()) / static_cast<double>(values);
     for (const double number : block.header)
       if (number == count && count < static_cast<double>(block.knots.size())) return values;

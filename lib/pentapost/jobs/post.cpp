@@ -75,8 +75,10 @@ plan::Settings settings_of(const PostJob& job, const Control& control) {
   settings.limits = limits_of(job);
   settings.decimals_mm = can.decimals_mm;
   settings.decimals_deg = can.decimals_deg;
+  settings.feed_decimals = can.feed_decimals;
   settings.inverse_time = can.inverse_time;
   settings.largest_inverse_time = can.largest_inverse_time;
+  settings.adds_length_always = can.adds_length_always;
   settings.arcs = can.arcs;
   settings.helices = can.helices;
   settings.arcs_with_tcp = can.arcs_with_tcp;
@@ -104,9 +106,9 @@ Status check_gauge_lengths(const PostJob& job, const kinematics::Model& model, O
                               " turns, and the axis words depend on it",
                    .pointer = "/tools/" + std::to_string(*missing)};
   if (missing && output == Output::axes)
-    diagnostics.add({Severity::warning, Code::gauge_length_assumed, 0,
-                     "the gauge length of tool " + std::to_string(*missing) +
-                         " is not given and counts as 0"});
+    diagnostics.add(
+        {Severity::warning, Code::gauge_length_assumed, 0,
+         "the gauge length of tool " + std::to_string(*missing) + " is not given and counts as 0"});
   if (has_linear_ranges && (missing || !job.setup.origin_mm))
     diagnostics.add({Severity::warning, Code::linear_range_unchecked, 0,
                      std::string{"the ranges of the linear axes were not checked: "} +
@@ -144,6 +146,20 @@ path::ProgramHeader header_of(const PostJob& job, const path::ToolPath& tool_pat
           .comments = {}};
 }
 
+/// Text that the CL data insert is the caller's: where it keeps a program from being proven, the
+/// fault is not the service's.
+Problem unproven(Problem problem, const path::ToolPath& tool_path) {
+  for (const path::Event& event : tool_path.events) {
+    const auto* inserted = std::get_if<path::InsertedText>(&event.what);
+    if (inserted == nullptr) continue;
+    return {.code = Code::not_in_dialect,
+            .message = "the text inserted at CL line " + std::to_string(event.cl_line) +
+                       " keeps the program from being proven: " + problem.message,
+            .cl_line = event.cl_line};
+  }
+  return problem;
+}
+
 }  // namespace
 
 Result<PostReport> post(const PostJob& job) {
@@ -165,9 +181,8 @@ Result<PostReport> post(const PostJob& job) {
 
   PostReport report;
   report.diagnostics = std::move(read->diagnostics);
-  const bool has_linear_ranges =
-      std::any_of(ranges.linear_mm.begin(), ranges.linear_mm.end(),
-                  [](const auto& range) { return range.has_value(); });
+  const bool has_linear_ranges = std::any_of(ranges.linear_mm.begin(), ranges.linear_mm.end(),
+                                             [](const auto& range) { return range.has_value(); });
   if (auto status = check_gauge_lengths(job, model, control->output, tool_path, has_linear_ranges,
                                         report.diagnostics);
       !status)
@@ -191,7 +206,7 @@ Result<PostReport> post(const PostJob& job) {
        .gauge_length_mm = job.gauge_length_mm,
        .tip_tolerance_mm = settings.tip_tolerance_mm,
        .axis_tolerance_rad = settings.axis_tolerance_rad});
-  if (!proof) return proof.error();
+  if (!proof) return unproven(proof.error(), tool_path);
 
   report.machine_name = job.machine.name;
   report.machine_version = job.machine.version;

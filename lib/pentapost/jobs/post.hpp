@@ -19,8 +19,8 @@ enum class ClUnits { mm, inch };
 /// The path as the text of a CL file.
 struct ClText {
   std::string text;
-  std::optional<ClUnits> units = {};         ///< overrules the file
-  std::optional<std::string> dialect = {};   ///< name of a CL dialect; overrules detection
+  std::optional<ClUnits> units = {};        ///< overrules the file
+  std::optional<std::string> dialect = {};  ///< name of a CL dialect; overrules detection
 };
 /// The path as points, all with one feed.
 struct PointPath {
@@ -31,20 +31,22 @@ struct PointPath {
 
 /// How the workpiece is clamped.
 struct Setup {
-  std::optional<Vec3> origin_mm = {};  ///< CL origin in base coordinates, all joints at zero; nullopt: not known
-  double theta_x_deg = 0.0;  ///< reorientation, signs of Cripps et al. 2017 (lib/README.md section 7)
+  std::optional<Vec3> origin_mm =
+      {};  ///< CL origin in base coordinates, all joints at zero; nullopt: not known
+  double theta_x_deg =
+      0.0;  ///< reorientation, signs of Cripps et al. 2017 (lib/README.md section 7)
   double theta_z_deg = 0.0;
 };
 
 struct Tolerances {
-  double tip_mm = 0.01;   ///< > 0
+  double tip_mm = 0.01;    ///< > 0
   double axis_deg = 0.05;  ///< > 0
 };
 
 struct PostOptions {
-  std::optional<Output> output = {};           ///< nullopt: as the definition
-  std::optional<std::string> dialect = {};     ///< nullopt: as the definition
-  std::optional<std::string> program_name = {};  ///< nullopt: PARTNO
+  std::optional<Output> output = {};                ///< nullopt: as the definition
+  std::optional<std::string> dialect = {};          ///< nullopt: as the definition
+  std::optional<std::string> program_name = {};     ///< nullopt: PARTNO
   std::optional<machine::Preferences> prefer = {};  ///< nullopt: as the definition
   bool flank = false;  ///< a flank cut: the tool axis has no freedom at the pole
 };
@@ -56,7 +58,8 @@ struct PostJob {
   std::map<int, double> gauge_length_mm = {};  ///< by tool number
   Tolerances tolerances = {};
   PostOptions post = {};
-  std::map<std::string, machine::AxisLimits> limits = {};  ///< fill or override the definition's (rad, mm)
+  std::map<std::string, machine::AxisLimits> limits =
+      {};  ///< fill or override the definition's (rad, mm)
 };
 
 /// How far an axis goes. mm or degrees, as printed.
@@ -64,8 +67,8 @@ struct AxisReport {
   std::string name;
   bool rotary = false;
   double min = 0.0, max = 0.0;
-  std::optional<Range<double>> range = {};   ///< of the definition; nullopt: endless or not given
-  std::optional<double> speed_limit = {};    ///< mm/s or deg/s
+  std::optional<Range<double>> range = {};  ///< of the definition; nullopt: endless or not given
+  std::optional<double> speed_limit = {};   ///< mm/s or deg/s
 };
 
 struct RetractReport {
@@ -75,7 +78,7 @@ struct RetractReport {
 
 struct Verification {
   bool passed = false;
-  double tip_deviation_mm = 0.0;    ///< largest over the whole of every block
+  double tip_deviation_mm = 0.0;  ///< largest over the whole of every block
   double axis_deviation_deg = 0.0;
   std::uint64_t blocks_read = 0;
 };
@@ -85,14 +88,14 @@ struct PostReport {
   std::string machine_name, machine_version, machine_sha256;
   std::string dialect;
   Output output = Output::tcp;
-  std::string cl_sha256;  ///< of the CL text; empty for points
+  std::string cl_sha256;   ///< of the CL text; empty for points
   std::string cl_dialect;  ///< as detected; empty for points
   std::string cl_units;    ///< "mm" or "inch"
   std::uint64_t cl_lines = 0, cl_points = 0;
   std::uint64_t blocks = 0;  ///< motion blocks
   std::uint64_t inserted_points = 0;
-  double length_mm = 0.0;          ///< of the tip's cutting path
-  double programmed_time_s = 0.0;  ///< of the cutting path at the programmed feed
+  double length_mm = 0.0;             ///< of the tip's cutting path
+  double programmed_time_s = 0.0;     ///< of the cutting path at the programmed feed
   double pole_axis_change_deg = 0.0;  ///< largest use of the freedom at the pole
   std::vector<AxisReport> axes;
   std::vector<RetractReport> retracts;

@@ -47,7 +47,8 @@ Result<ReadPath> read_cl(const ClText& cl) {
 /// The point in hand counts as a line of the CL data.
 Result<ReadPath> read_points(const PointPath& points) {
   if (points.tip_mm.empty())
-    return Problem{.code = Code::no_motion, .message = "the path has no points", .pointer = "/path/points"};
+    return Problem{
+        .code = Code::no_motion, .message = "the path has no points", .pointer = "/path/points"};
   ReadPath result;
   result.points = points.tip_mm.size();
   path::ToolPath& tool_path = result.tool_path;
@@ -65,7 +66,9 @@ Result<ReadPath> read_points(const PointPath& points) {
       if (decimals < most_decimals) decimals = decimals_of(component, decimals);
     tool_path.add_point(points.tip_mm[i], points.axis[i] / length, line, path::Move::feed);
   }
-  tool_path.axis_rounding_rad = 2.0 * std::pow(10.0, -decimals);
+  // Few decimals are exact values (0, 0.6, 0.8) rather than rounded ones.
+  constexpr int most_exact_decimals = 4;
+  if (decimals > most_exact_decimals) tool_path.axis_rounding_rad = 2.0 * std::pow(10.0, -decimals);
   return result;
 }
 

@@ -6,7 +6,8 @@
 
 namespace pentapost::jobs {
 
-/// The path of a job as the stages after the reading see it, and what the report says of its source.
+/// The path of a job as the stages after the reading see it, and what the report says of its
+/// source.
 struct ReadPath {
   path::ToolPath tool_path;
   std::string cl_dialect;

@@ -27,4 +27,10 @@ LinearMap linear_map(const Model& model, double first_rad, double second_rad,
   return {turn.linear_matrix(), turn.tip_without_linear_mm(gauge_length_mm)};
 }
 
+Vec3 length_direction(const Model& model) {
+  const Mat3 directions =
+      model.linear_columns[0] + model.linear_columns[1] + model.linear_columns[2];
+  return directions.inverse() * model.t;
+}
+
 }  // namespace pentapost::kinematics

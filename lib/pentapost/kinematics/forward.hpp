@@ -20,4 +20,8 @@ struct LinearMap {
 LinearMap linear_map(const Model& model, double first_rad, double second_rad,
                      double gauge_length_mm);
 
+/// How the linear joints move when the tool goes by 1 mm along its axis, all rotary joints at zero:
+/// the direction in which a control adds a tool length.
+Vec3 length_direction(const Model& model);
+
 }  // namespace pentapost::kinematics

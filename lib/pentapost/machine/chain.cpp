@@ -7,8 +7,8 @@
 namespace pentapost::machine {
 namespace {
 
-constexpr double smallest_sine = 1e-6;         ///< below it the triangle of section 2 is degenerate
-constexpr double smallest_volume = 1e-6;       ///< of three unit directions that span space
+constexpr double smallest_sine = 1e-6;    ///< below it the triangle of section 2 is degenerate
+constexpr double smallest_volume = 1e-6;  ///< of three unit directions that span space
 
 Problem shape(std::string message) { return {Code::chain_shape, std::move(message)}; }
 
@@ -49,7 +49,8 @@ Result<Chain> Chain::make(std::vector<Joint> table, std::vector<Joint> head, Uni
 }
 
 bool Chain::head_turns() const noexcept {
-  return std::any_of(head_.begin(), head_.end(), [](const Joint& joint) { return joint.is_rotary(); });
+  return std::any_of(head_.begin(), head_.end(),
+                     [](const Joint& joint) { return joint.is_rotary(); });
 }
 
 }  // namespace pentapost::machine

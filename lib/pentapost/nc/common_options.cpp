@@ -97,6 +97,7 @@ CommonSettings read_common(OptionReader& reader) {
 Abilities common_abilities(const CommonSettings& settings) {
   return {.decimals_mm = settings.decimals_mm,
           .decimals_deg = settings.decimals_deg,
+          .feed_decimals = settings.feed_decimals,
           .arcs = settings.arcs,
           .rapid_is_straight = settings.rapid_as_line,
           .rapid_feed_mm_min = settings.rapid_feed_mm_min,

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double largest_number = 999'999'999.0;
 /// A feed that a computation left this little below a count is that count.
-constexpr double feed_rounding_ratio = 1e-12;
+constexpr double feed_rounding_ratio = 1e-14;
 
 std::int64_t power_of_ten(int exponent) {
   std::int64_t power = 1;

@@ -74,7 +74,7 @@ struct Motion {
   int decimals_mm = 3;
   int decimals_deg = 3;
   Output output = Output::tcp;
-  bool length_offset = true;  ///< axes output: the words are for gauge length 0, the control adds the tool's (G43)
+  bool length_offset = true;  ///< axes output: the control adds the tool's length to the words (G43)
   std::vector<Block> blocks;
   std::vector<Action> actions;  ///< in order of before_block
 

@@ -19,9 +19,7 @@ double quadratic_bound(const Vec3& at_start, const Vec3& at_middle, const Vec3& 
   return std::max(at_start.norm(), at_end.norm()) + (at_middle - 0.5 * (at_start + at_end)).norm();
 }
 
-double chord_to_angle_rad(double chord) {
-  return chord < 2.0 ? 2.0 * std::asin(0.5 * chord) : pi;
-}
+double chord_to_angle_rad(double chord) { return chord < 2.0 ? 2.0 * std::asin(0.5 * chord) : pi; }
 
 /// Distance that the digits printed leave open.
 double printed_resolution_mm(int decimals_mm) {
@@ -54,8 +52,8 @@ BlockBound bound_block(const kinematics::Model& model, const Settings& settings,
   const Vec3 axis_error_from = from.axis - segment.axis(fraction_from);
   const Vec3 axis_error_to = to.axis - segment.axis(fraction_to);
   if (rotary_still) {
-    const double chord = std::max(axis_error_from.norm(), axis_error_to.norm()) +
-                         square(axis_turn_rad) / 8.0;
+    const double chord =
+        std::max(axis_error_from.norm(), axis_error_to.norm()) + square(axis_turn_rad) / 8.0;
     bound.axis_rad = chord_to_angle_rad(chord);
     if (!segment.is_arc()) {
       // Both ways are straight: the ends are the worst.
@@ -83,7 +81,8 @@ BlockBound bound_block(const kinematics::Model& model, const Settings& settings,
                                 to.tip_mm - segment.tip_mm(fraction_to)};
   double third_mm = 0.0;
   if (settings.output == Output::axes && !rotary_still)
-    third_mm = tip_third_derivative(model, maker.gauge_in_words_mm(), first_rad, second_rad, from, to);
+    third_mm =
+        tip_third_derivative(model, maker.gauge_in_words_mm(), first_rad, second_rad, from, to);
   if (segment.is_arc()) {
     const double swept_rad = share * segment.sweep_rad();
     third_mm += cube(swept_rad) * segment.largest_radius_mm();
@@ -102,7 +101,8 @@ BlockBound bound_block(const kinematics::Model& model, const Settings& settings,
     if (settings.output == Output::axes) {
       const double unknown_mm =
           std::max(0.0, ahead_mm - printed_resolution_mm(settings.decimals_mm));
-      bound.axis_rad += axis_turn_rad * (length_mm > 0.0 ? std::min(1.0, unknown_mm / length_mm) : 1.0);
+      bound.axis_rad +=
+          axis_turn_rad * (length_mm > 0.0 ? std::min(1.0, unknown_mm / length_mm) : 1.0);
     }
   }
   bound.tip_mm =

@@ -15,8 +15,9 @@ struct BlockBound {
 
 /// The block between two postures against the part of a CL move that it stands for.
 ///
-/// Both deviations are bounded by the quadratic through both ends and the middle plus what the third
-/// derivative leaves open, so no point of the block lies above them (lib/README.md section 5).
+/// Both deviations are bounded by the quadratic through both ends and the middle plus what the
+/// third derivative leaves open, so no point of the block lies above them (lib/README.md section
+/// 5).
 BlockBound bound_block(const kinematics::Model& model, const Settings& settings,
                        const BlockMaker& maker, const path::Segment& segment, double fraction_from,
                        const Posture& from, double fraction_to, const Posture& to);

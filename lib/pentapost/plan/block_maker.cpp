@@ -47,6 +47,9 @@ BlockMaker::BlockMaker(const kinematics::Model& model, const JointRanges& ranges
       settings_{settings},
       gauge_length_mm_{gauge_length_mm},
       gauge_in_words_mm_{model.head_turns ? gauge_length_mm : 0.0},
+      added_by_control_mm_{settings.adds_length_always
+                               ? Vec3{gauge_in_words_mm_ * kinematics::length_direction(model)}
+                               : Vec3::Zero()},
       check_linear_{check_linear},
       columns_{word_columns(model)} {}
 
@@ -70,8 +73,7 @@ Result<Posture> BlockMaker::posture(const Vec3& tip_mm, const RotaryPair& rotary
       made.word[columns_.second] = word_of(rotary.second_rad);
       made.printed.second_rad = printed_rad(made.word[columns_.second]);
     }
-    made.axis =
-        kinematics::forward_axis(model_, made.printed.first_rad, made.printed.second_rad);
+    made.axis = kinematics::forward_axis(model_, made.printed.first_rad, made.printed.second_rad);
     last_rotary_ = rotary;
     last_ = made;
     has_last_ = true;
@@ -89,7 +91,7 @@ Result<Posture> BlockMaker::posture(const Vec3& tip_mm, const RotaryPair& rotary
                      .message = "the linear axes do not span space in the posture of CL line " +
                                 std::to_string(cl_line),
                      .cl_line = cl_line};
-    words_mm = *linear;
+    words_mm = *linear - added_by_control_mm_;
   }
   Vec3 printed_mm;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -101,9 +103,9 @@ Result<Posture> BlockMaker::posture(const Vec3& tip_mm, const RotaryPair& rotary
     made.tip_mm = printed_mm;
     return made;
   }
-  made.linear_mm = printed_mm;
+  made.linear_mm = printed_mm + added_by_control_mm_;
   made.tip_mm = kinematics::forward(model_,
-                                    {.linear_mm = printed_mm,
+                                    {.linear_mm = made.linear_mm,
                                      .first_rad = made.printed.first_rad,
                                      .second_rad = made.printed.second_rad},
                                     gauge_in_words_mm_)
@@ -118,8 +120,7 @@ Posture BlockMaker::middle(const Posture& from, const Posture& to) const {
                   0.5 * (from.printed.second_rad + to.printed.second_rad)};
   if (settings_.output == Output::tcp) {
     made.tip_mm = 0.5 * (from.tip_mm + to.tip_mm);
-    made.axis =
-        kinematics::forward_axis(model_, made.printed.first_rad, made.printed.second_rad);
+    made.axis = kinematics::forward_axis(model_, made.printed.first_rad, made.printed.second_rad);
     return made;
   }
   made.linear_mm = 0.5 * (from.linear_mm + to.linear_mm);
@@ -147,9 +148,8 @@ Status BlockMaker::check_ranges(const Vec3& tip_mm, const RotaryPair& rotary,
                    {range->lower * deg_per_rad, range->upper * deg_per_rad}, "deg", cl_line);
   }
   if (!check_linear_) return ok();
-  const auto physical =
-      kinematics::inverse_linear(model_, tip_mm + settings_.origin_mm, rotary.first_rad,
-                                 rotary.second_rad, gauge_length_mm_);
+  const auto physical = kinematics::inverse_linear(
+      model_, tip_mm + settings_.origin_mm, rotary.first_rad, rotary.second_rad, gauge_length_mm_);
   if (!physical) return ok();
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& range = ranges_.linear_mm[i];

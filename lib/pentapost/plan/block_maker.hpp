@@ -25,9 +25,9 @@ struct Posture {
 
 /// Which word letter belongs to which joint.
 struct WordColumns {
-  std::string letters;         ///< linear axes A to Z, then rotary axes A to Z
-  std::size_t first = 3;       ///< column of the first rotary joint
-  std::size_t second = 4;      ///< of the second
+  std::string letters;     ///< linear axes A to Z, then rotary axes A to Z
+  std::size_t first = 3;   ///< column of the first rotary joint
+  std::size_t second = 4;  ///< of the second
   int count = 5;
 };
 WordColumns word_columns(const kinematics::Model& model);
@@ -62,6 +62,7 @@ class BlockMaker {
   const Settings& settings_;
   const double gauge_length_mm_;
   const double gauge_in_words_mm_;
+  const Vec3 added_by_control_mm_;  ///< Output::axes: joint values less words
   const bool check_linear_;
   const WordColumns columns_;
   // the last rotary values: most points of real files keep them

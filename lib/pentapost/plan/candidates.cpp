@@ -53,7 +53,9 @@ class Search {
  public:
   Search(const Model& model, const path::ToolPath& tool_path, PointRange range,
          const PoleZone& zone, double slack_rad)
-      : model_{model}, tool_path_{tool_path}, zone_{zone},
+      : model_{model},
+        tool_path_{tool_path},
+        zone_{zone},
         // The pole of a machine whose lambda and mu differ a little lies beyond its reach.
         slack_rad_{std::max(slack_rad, zone.radius_rad)} {
     found_.range = range;
@@ -193,7 +195,8 @@ class Search {
     if (std::abs(step) <= plain_step_rad || depth == 0) return step;
     // The nearest point to the pole parts a swift turn best.
     const double nearest = turn.nearest_fraction(
-        turn.at(0.5 * (fraction_from + fraction_to)).dot(model_.a) < 0.0 ? Vec3{-model_.a} : model_.a);
+        turn.at(0.5 * (fraction_from + fraction_to)).dot(model_.a) < 0.0 ? Vec3{-model_.a}
+                                                                         : model_.a);
     const double margin = 1e-3 * (fraction_to - fraction_from);
     const bool inside = nearest > fraction_from + margin && nearest < fraction_to - margin;
     const double middle = inside ? nearest : 0.5 * (fraction_from + fraction_to);
@@ -226,9 +229,10 @@ class Search {
     const std::uint32_t line = tool_path_.cl_line[point];
     std::string message = "the tool axis " + vector_text(tool_path_.axis_wp[point]) +
                           " at CL line " + std::to_string(line);
-    message += beyond_rad > 0.0 ? " lies " + number_text(beyond_rad * deg_per_rad, 4) +
-                                      " deg beyond the reach of the rotary axes"
-                                : " is reached only by leaving the reach of the rotary axes on the way";
+    message += beyond_rad > 0.0
+                   ? " lies " + number_text(beyond_rad * deg_per_rad, 4) +
+                         " deg beyond the reach of the rotary axes"
+                   : " is reached only by leaving the reach of the rotary axes on the way";
     return {.code = Code::out_of_reach, .message = std::move(message), .cl_line = line};
   }
 
@@ -283,7 +287,8 @@ double second_at_pole_rad(const Model& model, std::uint8_t pole, int branch) {
 double first_at_pole_rad(const Model& model, std::uint8_t pole, const Vec3& towards, int branch) {
   const Vec3 axis = pole_axis(model, pole);
   const Vec3 beside = (towards - axis * axis.dot(towards)).normalized();
-  // Where lambda and mu differ, the first axis swings by a right angle just off the pole: look beyond.
+  // Where lambda and mu differ, the first axis swings by a right angle just off the pole: look
+  // beyond.
   const double off_pole_rad = pole == 1 ? std::abs(model.lambda_rad - model.mu_rad)
                                         : std::abs(pi - model.lambda_rad - model.mu_rad);
   const double tilt_rad = std::max(beside_pole_rad, 100.0 * off_pole_rad);

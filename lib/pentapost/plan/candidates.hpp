@@ -23,8 +23,8 @@ struct PoleZone {
 /// @param freedom_rad  bound of what the axis may be changed by in all; 0 for a flank cut.
 PoleZone pole_zone(const kinematics::Model& model, double rounding_rad, double freedom_rad);
 
-/// What the tool axis may be changed by at a pole or at the edge of the reach: 0.01 deg, at most half
-/// of the tolerance; 0 for a flank cut.
+/// What the tool axis may be changed by at a pole or at the edge of the reach: 0.01 deg, at most
+/// half of the tolerance; 0 for a flank cut.
 double axis_freedom_rad(double axis_tolerance_rad, bool flank);
 
 /// A half-open run of CL points that one tool cuts.
@@ -47,7 +47,7 @@ struct Candidates {
   int branches = 1;  ///< 1 with fewer than two rotary joints
   // columns over the range
   std::array<std::vector<double>, 2> first_rad;  ///< by branch; unwrapped; not used at the pole
-  std::vector<double> second_rad;                ///< of branch 0; the other one is 2 beta_zero - this
+  std::vector<double> second_rad;  ///< of branch 0; the other one is 2 beta_zero - this
   std::vector<Link> link;
   std::vector<std::uint8_t> pole;  ///< 0: off the pole; 1: gamma = 0; 2: gamma = pi
 
@@ -58,7 +58,8 @@ struct Candidates {
     std::uint8_t pole;  ///< 1 or 2
   };
   std::vector<Crossing> crossings;
-  double largest_freedom_rad = 0.0;  ///< largest change of a tool axis: to the pole, or to the edge of the reach
+  double largest_freedom_rad =
+      0.0;  ///< largest change of a tool axis: to the pole, or to the edge of the reach
 
   double second_of(const kinematics::Model& model, std::uint32_t point, int branch) const {
     const double plus = second_rad[point - range.begin];
@@ -78,8 +79,9 @@ Result<Candidates> find_candidates(const kinematics::Model& model, const path::T
 /// Direction of the pole 1 or 2 in the table frame.
 Vec3 pole_axis(const kinematics::Model& model, std::uint8_t pole);
 
-/// Value of the first rotary joint, in [-pi, pi], with which `branch` comes to the pole or leaves it
-/// along the great circle through `towards` (lib/README.md section 4; Sun et al. 2023 Table 1, n = 1).
+/// Value of the first rotary joint, in [-pi, pi], with which `branch` comes to the pole or leaves
+/// it along the great circle through `towards` (lib/README.md section 4; Sun et al. 2023 Table 1, n
+/// = 1).
 double first_at_pole_rad(const kinematics::Model& model, std::uint8_t pole, const Vec3& towards,
                          int branch);
 

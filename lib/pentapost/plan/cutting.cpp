@@ -90,8 +90,8 @@ class Cutting {
     const path::Segment segment = segment_to(point);
     account(segment);
     if (same(rotary_, arrival) && !crosses(point)) {
-      if (const auto pieces =
-              native_arc(model_, settings_, maker_, segment, rotary_, posture_, tool_path_.cl_line[point]))
+      if (const auto pieces = native_arc(model_, settings_, maker_, segment, rotary_, posture_,
+                                         tool_path_.cl_line[point]))
         return write_arc(point, segment, *pieces);
     }
     return cut(point, segment, arrival);
@@ -129,7 +129,8 @@ class Cutting {
   /// The parts of a cutting move, in order; a turn in place is a part of no length.
   std::vector<MovePart> parts_of(std::uint32_t point, const RotaryPair& arrival) {
     std::vector<MovePart> parts;
-    const auto add = [&](MovePart::Kind kind, int branch, double to_fraction, const RotaryPair& to) {
+    const auto add = [&](MovePart::Kind kind, int branch, double to_fraction,
+                         const RotaryPair& to) {
       const double from_fraction = parts.empty() ? 0.0 : parts.back().fraction_to;
       const RotaryPair from = parts.empty() ? rotary_ : parts.back().to;
       parts.push_back({kind, branch, from_fraction, to_fraction, from, to});
@@ -169,9 +170,10 @@ class Cutting {
     if (!rest) return ok();
     RotaryPair after = rotary_;
     after.first_rad += rewind_rad;
-    if (auto status = reposition({segment.tip_mm(rest->fraction_from),
-                                  segment.axis(rest->fraction_from), point, tool_path_.cl_line[point]},
-                                 after);
+    if (auto status =
+            reposition({segment.tip_mm(rest->fraction_from), segment.axis(rest->fraction_from),
+                        point, tool_path_.cl_line[point]},
+                       after);
         !status)
       return status;
     rest->from = after;
@@ -192,7 +194,8 @@ class Cutting {
       whole.to = unwound;
       const auto there = rotary_inside(model_, segment, whole, middle, lower, upper, slack_rad_);
       if (!there) break;
-      const bool beyond = rewind_rad < 0.0 ? there->first_rad > limit_rad : there->first_rad < limit_rad;
+      const bool beyond =
+          rewind_rad < 0.0 ? there->first_rad > limit_rad : there->first_rad < limit_rad;
       (beyond ? outside : inside) = middle;
       (beyond ? upper : lower) = *there;
     }
@@ -206,8 +209,8 @@ class Cutting {
   Status cut_part(std::uint32_t point, const path::Segment& segment, const MovePart& part) {
     ends_.clear();
     const std::uint32_t line = tool_path_.cl_line[point];
-    if (auto status = linearise(model_, settings_, maker_, segment, part, posture_, slack_rad_,
-                                line, ends_);
+    if (auto status =
+            linearise(model_, settings_, maker_, segment, part, posture_, slack_rad_, line, ends_);
         !status)
       return status;
     double fraction = part.fraction_from;
@@ -218,7 +221,8 @@ class Cutting {
       Block& block = frame_.add_block(end.posture, point, Block::Kind::line);
       block.fraction = end.fraction;
       const double length_mm = (end.fraction - fraction) * segment.length_mm();
-      const bool stands = part.kind == MovePart::Kind::even && part.fraction_to - part.fraction_from <= standing_share;
+      const bool stands = part.kind == MovePart::Kind::even &&
+                          part.fraction_to - part.fraction_from <= standing_share;
       if (moves || frame_.feed_mm_min()) {
         if (auto status = feed_rule_.set(block, posture_, end.posture, stands ? 0.0 : length_mm,
                                          frame_.feed_mm_min());
@@ -237,9 +241,9 @@ class Cutting {
     double fraction = 0.0;
     for (const ArcPiece& piece : pieces) {
       frame_.act(piece.centre, tool_path_.cl_line[point]);
-      Block& block = frame_.add_block(piece.posture, point,
-                                      piece.clockwise ? Block::Kind::arc_clockwise
-                                                      : Block::Kind::arc_counterclockwise);
+      Block& block = frame_.add_block(
+          piece.posture, point,
+          piece.clockwise ? Block::Kind::arc_clockwise : Block::Kind::arc_counterclockwise);
       block.fraction = piece.fraction;
       if (auto status = feed_rule_.set(block, posture_, piece.posture,
                                        (piece.fraction - fraction) * segment.length_mm(),
@@ -277,7 +281,8 @@ class Cutting {
     const auto name = [&](std::size_t axis, double from_rad, double to_rad) {
       if (std::abs(from_rad - to_rad) <= same_rad) return;
       text += (text.empty() ? "" : ", ") + model_.rotary_names[axis] + " from " +
-              number_text(from_rad * deg_per_rad, 3) + " to " + number_text(to_rad * deg_per_rad, 3);
+              number_text(from_rad * deg_per_rad, 3) + " to " +
+              number_text(to_rad * deg_per_rad, 3);
     };
     name(0, rotary_.first_rad, after.first_rad);
     name(1, rotary_.second_rad, after.second_rad);
@@ -289,16 +294,17 @@ class Cutting {
     const std::string line = std::to_string(place.cl_line);
     frame_.comment(text, place.cl_line);
     program_.retracts.push_back({place.cl_line, text});
-    program_.diagnostics.add({Severity::warning, Code::retract_inserted, place.cl_line,
-                              text + " at CL line " + line +
-                                  ": no continuous sequence of rotary values stays within the ranges"});
-    auto back = retract_and_reposition(place, rotary_, after, settings_, check_linear_, maker_, frame_);
+    program_.diagnostics.add(
+        {Severity::warning, Code::retract_inserted, place.cl_line,
+         text + " at CL line " + line +
+             ": no continuous sequence of rotary values stays within the ranges"});
+    auto back =
+        retract_and_reposition(place, rotary_, after, settings_, check_linear_, maker_, frame_);
     if (!back) return std::move(back).error();
     posture_ = *back;
     rotary_ = after;
     return ok();
   }
-
 
   const kinematics::Model& model_;
   const JointRanges& ranges_;
@@ -314,8 +320,8 @@ class Cutting {
   std::vector<AxisPath::Departure>::const_iterator departure_;
   std::vector<AxisPath::Crossing>::const_iterator crossing_;
   std::vector<Waypoint> ends_;
-  RotaryPair rotary_;   ///< exact values at the end of the last block
-  Posture posture_;     ///< as printed there
+  RotaryPair rotary_;  ///< exact values at the end of the last block
+  Posture posture_;    ///< as printed there
   std::optional<RotaryPair> turn_before_move_;
   std::optional<double> pending_rewind_;
 };
@@ -342,7 +348,7 @@ Status cut_sequence(const kinematics::Model& model, const JointRanges& ranges,
   Settings left = settings;
   left.axis_tolerance_rad -= change_rad;
   frame.begin_sequence(sequence);
-  return Cutting{model,     ranges, tool_path,       left,         *axis_path,
+  return Cutting{model,     ranges,          tool_path,    left,  *axis_path,
                  slack_rad, gauge_length_mm, check_linear, frame, program}
       .run();
 }

@@ -21,8 +21,10 @@ bool drills_along_z(const kinematics::Model& model, const Settings& settings) {
 bool can_be_native(const path::CycleStart& cycle) {
   using Kind = path::CycleStart::Kind;
   const bool level_fits = !cycle.retract_mm || *cycle.retract_mm == cycle.clearance_mm;
-  const bool pecks_known = (cycle.kind != Kind::deep && cycle.kind != Kind::break_chip) || cycle.peck_mm;
-  return level_fits && pecks_known;
+  const bool pecks_known =
+      (cycle.kind != Kind::deep && cycle.kind != Kind::break_chip) || cycle.peck_mm;
+  const bool dwell_known = cycle.dwell_s == 0.0 || cycle.kind == Kind::face;
+  return level_fits && pecks_known && dwell_known;
 }
 
 }  // namespace
@@ -35,8 +37,8 @@ std::function<bool(std::uint32_t point)> native_holes(const kinematics::Model& m
   std::size_t next_event = 0;
   bool possible = false;
   for (std::uint32_t point = 0; point < tool_path.size(); ++point) {
-    for (; next_event < tool_path.events.size() &&
-           tool_path.events[next_event].before_point <= point;
+    for (;
+         next_event < tool_path.events.size() && tool_path.events[next_event].before_point <= point;
          ++next_event)
       if (const auto* cycle = std::get_if<path::CycleStart>(&tool_path.events[next_event].what))
         possible = can_be_native(*cycle);
@@ -68,9 +70,7 @@ Result<Posture> drill(const path::ToolPath& tool_path, std::uint32_t point,
   native.kind = cycle.kind;
   native.clearance_z = clear->word[z_column];
   native.bottom_z = bottom->word[z_column];
-  if (cycle.peck_mm)
-    native.peck = std::max<std::int64_t>(
-        1, maker.count_mm(*cycle.peck_mm));
+  if (cycle.peck_mm) native.peck = std::max<std::int64_t>(1, maker.count_mm(*cycle.peck_mm));
   native.dwell_s = cycle.dwell_s;
   native.feed_mm_min = cycle.feed_mm_min.value_or(frame.feed_mm_min().value_or(0.0));
   frame.start_cycle(native, line);

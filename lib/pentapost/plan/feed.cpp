@@ -1,5 +1,7 @@
 #include "pentapost/plan/feed.hpp"
 
+#include "pentapost/core/number_text.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -50,6 +52,12 @@ Status FeedRule::set(path::Block& block, const Posture& from, const Posture& to,
                    .cl_line = block.cl_line};
   block.feed_mode = path::Block::Feed::per_minute;
   block.feed = *feed_mm_min;
+  if (const double least = std::pow(10.0, -settings_.feed_decimals); *feed_mm_min < least)
+    return Problem{.code = Code::out_of_domain,
+                   .message = "the feed of " + number_text(*feed_mm_min) + " mm/min at CL line " +
+                              std::to_string(block.cl_line) + " is below the " +
+                              number_text(least) + " mm/min that the control can be given",
+                   .cl_line = block.cl_line};
   if (settings_.output == Output::tcp || rotary_still) return ok();
 
   const double time_min = std::max(length_mm / *feed_mm_min, axis_time_min(from, to));
@@ -73,7 +81,8 @@ Status FeedRule::set_in_place(path::Block& block, const Posture& from, const Pos
   const double first_rad = to.printed.first_rad - from.printed.first_rad;
   const double second_rad = to.printed.second_rad - from.printed.second_rad;
   double time_min = axis_time_min(from, to);
-  const bool limits_known = (first_rad == 0.0 || rotary_rad_s_[0]) && (second_rad == 0.0 || rotary_rad_s_[1]);
+  const bool limits_known =
+      (first_rad == 0.0 || rotary_rad_s_[0]) && (second_rad == 0.0 || rotary_rad_s_[1]);
   if (!limits_known) {
     if (!(settings_.rotary_feed_rad_min > 0.0))
       return Problem{.code = Code::no_rotary_feed,
@@ -82,8 +91,8 @@ Status FeedRule::set_in_place(path::Block& block, const Posture& from, const Pos
                                 "; the speed limits of the rotary axes or the option "
                                 "rotary_feed_deg_min are needed for its feed",
                      .cl_line = block.cl_line};
-    time_min = std::max(time_min,
-                        std::hypot(first_rad, second_rad) / settings_.rotary_feed_rad_min);
+    time_min =
+        std::max(time_min, std::hypot(first_rad, second_rad) / settings_.rotary_feed_rad_min);
   }
   if (settings_.inverse_time) {
     block.feed_mode = path::Block::Feed::inverse_time;
@@ -95,8 +104,7 @@ Status FeedRule::set_in_place(path::Block& block, const Posture& from, const Pos
   block.feed_mode = path::Block::Feed::per_minute;
   const double linear_mm =
       settings_.output == Output::axes ? (to.linear_mm - from.linear_mm).norm() : 0.0;
-  block.feed =
-      std::hypot(linear_mm, first_rad * deg_per_rad, second_rad * deg_per_rad) / time_min;
+  block.feed = std::hypot(linear_mm, first_rad * deg_per_rad, second_rad * deg_per_rad) / time_min;
   return ok();
 }
 

@@ -81,7 +81,8 @@ void Frame::change_tool(const path::ToolChange& change, std::uint32_t cl_line) {
   if (tool_number_ == change.number) return;
   leave();
   if (coolant_.state != path::Coolant::State::off) act(path::Coolant{}, cl_line);
-  if (spindle_written_ && spindle_.state != path::Spindle::State::off) act(path::Spindle{}, cl_line);
+  if (spindle_written_ && spindle_.state != path::Spindle::State::off)
+    act(path::Spindle{}, cl_line);
   act(path::ToolCall{.number = change.number,
                      .length_register = change.length_register,
                      .speed_rpm = speed_ahead(),

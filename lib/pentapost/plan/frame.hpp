@@ -45,7 +45,9 @@ class Frame {
   void position_rotary(const Posture& posture, std::uint32_t point);
 
   std::optional<double> feed_mm_min() const { return feed_mm_min_; }  ///< active; nullopt: none yet
-  const path::Arc* arc() const { return arc_ ? &*arc_ : nullptr; }  ///< of the move to the point in hand
+  const path::Arc* arc() const {
+    return arc_ ? &*arc_ : nullptr;
+  }  ///< of the move to the point in hand
   const std::optional<path::CycleStart>& cycle() const { return cycle_; }
 
  private:
@@ -64,7 +66,7 @@ class Frame {
   bool tcp_ = false;
   bool at_safe_end_ = false;
   std::optional<int> tool_number_;
-  path::Spindle spindle_;         ///< as the CL data have it
+  path::Spindle spindle_;  ///< as the CL data have it
   bool spindle_written_ = false;
   path::Coolant coolant_;
   std::optional<double> feed_mm_min_;

@@ -53,8 +53,9 @@ class Division {
   Status divide(const Place& from, const Place& to, int depth) {
     const BlockBound bound = bound_block(model_, settings_, maker_, segment_, from.fraction,
                                          from.posture, to.fraction, to.posture);
-    const double excess = std::max(bound.tip_mm / (tolerance_share * settings_.tip_tolerance_mm),
-                                   bound.axis_rad / (tolerance_share * settings_.axis_tolerance_rad));
+    const double excess =
+        std::max(bound.tip_mm / (tolerance_share * settings_.tip_tolerance_mm),
+                 bound.axis_rad / (tolerance_share * settings_.axis_tolerance_rad));
     if (excess <= 1.0) {
       ends_.push_back({to.fraction, to.posture});
       if (ends_.size() <= largest_block_count) return ok();
@@ -75,8 +76,8 @@ class Division {
       Place end = to;
       if (i < count) {
         const double fraction = from.fraction + (to.fraction - from.fraction) * i / count;
-        const auto rotary = rotary_inside(model_, segment_, part_, fraction, start.rotary,
-                                          to.rotary, slack_rad_);
+        const auto rotary =
+            rotary_inside(model_, segment_, part_, fraction, start.rotary, to.rotary, slack_rad_);
         if (!rotary) return out_of_reach();
         auto middle = place(fraction, *rotary);
         if (!middle) return std::move(middle).error();

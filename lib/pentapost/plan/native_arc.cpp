@@ -19,8 +19,7 @@ std::optional<Mat3> words_from_tip(const kinematics::Model& model, const Setting
   const Mat3 matrix =
       kinematics::linear_map(model, printed.first_rad, printed.second_rad, gauge_mm).matrix;
   const Mat3 product = matrix.transpose() * matrix;
-  if ((product - Mat3::Identity()).cwiseAbs().maxCoeff() > direction_tolerance)
-    return std::nullopt;
+  if ((product - Mat3::Identity()).cwiseAbs().maxCoeff() > direction_tolerance) return std::nullopt;
   return matrix.transpose();
 }
 
@@ -49,9 +48,6 @@ std::optional<std::vector<ArcPiece>> native_arc(const kinematics::Model& model,
   if (segment.normal().cross(segment.axis_from()).norm() > 1e-6) return std::nullopt;
   if (settings.output == Output::tcp && model.rotary_count > 0 && !settings.arcs_with_tcp)
     return std::nullopt;
-  const double rise_mm = segment.normal().dot(segment.tip_to_mm() - segment.tip_from_mm());
-  if (!settings.helices && std::abs(rise_mm) > 0.5 * std::pow(10.0, -settings.decimals_mm))
-    return std::nullopt;
   const auto turn = words_from_tip(model, settings, from.printed, maker.gauge_in_words_mm());
   if (!turn) return std::nullopt;
   const Vec3 normal_words = *turn * segment.normal();
@@ -60,7 +56,8 @@ std::optional<std::vector<ArcPiece>> native_arc(const kinematics::Model& model,
   const bool clockwise = normal_words.z() * turn->determinant() < 0.0;
 
   const double sweep_rad = segment.sweep_rad();
-  const int count = sweep_rad > largest_single_sweep_rad ? static_cast<int>(std::ceil(sweep_rad / pi)) : 1;
+  const int count =
+      sweep_rad > largest_single_sweep_rad ? static_cast<int>(std::ceil(sweep_rad / pi)) : 1;
   std::vector<ArcPiece> pieces;
   Posture start = from;
   double fraction_from = 0.0;
@@ -75,6 +72,7 @@ std::optional<std::vector<ArcPiece>> native_arc(const kinematics::Model& model,
     const Eigen::Vector2d start_words = plane_words(start, settings.decimals_mm);
     const Eigen::Vector2d end_words = plane_words(piece.posture, settings.decimals_mm);
     if (start_words == end_words) return std::nullopt;
+    if (!settings.helices && start.word[2] != piece.posture.word[2]) return std::nullopt;
     const Vec3 to_centre = -(*turn * segment.arm_mm(fraction_from));
     const Eigen::Vector2d centre = equal_radius_centre(
         start_words, end_words, start_words + Eigen::Vector2d{to_centre.x(), to_centre.y()});

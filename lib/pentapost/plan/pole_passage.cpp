@@ -28,9 +28,11 @@ PolePassage::PolePassage(const kinematics::Model& model, const path::ToolPath& t
   if (first_ < end_) {
     pole_ = candidates.pole[first_ - candidates.range.begin];
   } else {
-    const auto found = std::lower_bound(
-        candidates.crossings.begin(), candidates.crossings.end(), *after,
-        [](const Candidates::Crossing& crossing, std::uint32_t point) { return crossing.point < point; });
+    const auto found =
+        std::lower_bound(candidates.crossings.begin(), candidates.crossings.end(), *after,
+                         [](const Candidates::Crossing& crossing, std::uint32_t point) {
+                           return crossing.point < point;
+                         });
     crossing_ = *found;
     pole_ = crossing_->pole;
   }
@@ -65,9 +67,10 @@ double PolePassage::weight(std::uint32_t point, bool air) const {
   const path::Move move = tool_path_.move[point];
   if (air) return move == path::Move::rapid ? 1.0 : 0.0;
   if (move != path::Move::feed) return 0.0;
-  const auto event = std::lower_bound(
-      tool_path_.events.begin(), tool_path_.events.end(), point,
-      [](const path::Event& candidate, std::uint32_t index) { return candidate.before_point < index; });
+  const auto event = std::lower_bound(tool_path_.events.begin(), tool_path_.events.end(), point,
+                                      [](const path::Event& candidate, std::uint32_t index) {
+                                        return candidate.before_point < index;
+                                      });
   for (auto it = event; it != tool_path_.events.end() && it->before_point == point; ++it)
     if (std::holds_alternative<path::Arc>(it->what)) return 0.0;
   return (tool_path_.tip_wp_mm[point] - tool_path_.tip_wp_mm[point - 1]).norm();

@@ -14,7 +14,7 @@ namespace pentapost::plan {
 struct RetractPlace {
   Vec3 tip_mm;  ///< frame of the tool path
   Vec3 axis;
-  std::uint32_t point;    ///< the move in hand leads to this point
+  std::uint32_t point;  ///< the move in hand leads to this point
   std::uint32_t cl_line;
 };
 

@@ -15,8 +15,8 @@ struct Settings {
   double axis_tolerance_rad = 0.05 * rad_per_deg;
   bool flank = false;  ///< the tool axis has no freedom at the pole
   Output output = Output::tcp;
-  Vec3 origin_mm = Vec3::Zero();  ///< CL origin in the table frame
-  bool origin_known = false;      ///< with a gauge length: linear ranges are checked
+  Vec3 origin_mm = Vec3::Zero();               ///< CL origin in the table frame
+  bool origin_known = false;                   ///< with a gauge length: linear ranges are checked
   std::map<int, double> gauge_length_mm = {};  ///< by tool number
   machine::Preferences preferences = {};
   std::map<std::string, machine::AxisLimits> limits = {};  ///< by joint name; rad, mm
@@ -26,10 +26,12 @@ struct Settings {
   int decimals_deg = 3;
   bool inverse_time = false;          ///< feed of moves with rotary axes and without TCP as 1/time
   double largest_inverse_time = 0.0;  ///< 1/min; 0: no bound
-  bool arcs = false;                  ///< circular blocks in the plane across Z
-  bool helices = false;               ///< arcs that move along Z as well
-  bool arcs_with_tcp = false;         ///< arcs while TCP is on
+  bool adds_length_always = false;  ///< without TCP the control adds the length of the tool in use
+  bool arcs = false;                ///< circular blocks in the plane across Z
+  bool helices = false;             ///< arcs that move along Z as well
+  bool arcs_with_tcp = false;       ///< arcs while TCP is on
   bool native_cycles = false;
+  int feed_decimals = 0;             ///< of feeds per minute
   double rotary_feed_rad_min = 0.0;  ///< for turning in place where no limit gives one; 0: none
   double retract_mm = 100.0;         ///< along the tool axis, where no travel bounds it
   double plunge_feed_mm_min = 0.0;   ///< 0: the feed that is active

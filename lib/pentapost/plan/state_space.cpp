@@ -24,7 +24,8 @@ struct Span {
 
 /// Whole turns with which `span` and `range` have something in common.
 std::vector<int> possible_turns(const Span& span, const Range<double>& range, double wanted_turns) {
-  const int lowest = static_cast<int>(std::ceil((range.lower - forgiven_rad - span.upper) / turn_rad));
+  const int lowest =
+      static_cast<int>(std::ceil((range.lower - forgiven_rad - span.upper) / turn_rad));
   const int highest =
       static_cast<int>(std::floor((range.upper + forgiven_rad - span.lower) / turn_rad));
   std::vector<int> turns, whole;
@@ -62,8 +63,7 @@ Range<double> start_window_rad(const machine::Preferences& preferences) {
 }
 
 double moved_to_window_rad(double value_rad, const Range<double>& window_rad) {
-  return value_rad +
-         turn_rad * std::ceil((window_rad.lower - forgiven_rad - value_rad) / turn_rad);
+  return value_rad + turn_rad * std::ceil((window_rad.lower - forgiven_rad - value_rad) / turn_rad);
 }
 
 StateSpace state_space(const kinematics::Model& model, const JointRanges& ranges,
@@ -85,9 +85,8 @@ StateSpace state_space(const kinematics::Model& model, const JointRanges& ranges
     }
     if (std::isnan(start_turns)) continue;
     const std::vector<int> none{0};
-    const auto first_turns = space.first_endless
-                                 ? none
-                                 : possible_turns(first, *ranges.rotary_rad[0], start_turns);
+    const auto first_turns =
+        space.first_endless ? none : possible_turns(first, *ranges.rotary_rad[0], start_turns);
     const auto second_turns =
         space.second_endless ? none : possible_turns(second, *ranges.rotary_rad[1], 0.0);
     for (const int second_turn : second_turns)

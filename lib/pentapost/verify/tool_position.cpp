@@ -1,5 +1,7 @@
 #include "pentapost/verify/tool_position.hpp"
 
+#include "pentapost/kinematics/forward.hpp"
+
 namespace pentapost::verify {
 namespace {
 
@@ -20,6 +22,7 @@ ToolPosition::ToolPosition(const ChainShape& shape, const AxisColumns& columns, 
       columns_{columns},
       output_{output},
       origin_mm_{origin_mm},
+      length_direction_{kinematics::length_direction(shape.model)},
       plain_{directions_are_plain(shape.model)} {}
 
 bool ToolPosition::rotary_words_are_zero(const Words& words) const {
@@ -31,9 +34,9 @@ bool ToolPosition::rotary_words_are_zero(const Words& words) const {
 Meaning ToolPosition::meaning_of(const nc::ReadMotion& motion) const {
   if (motion.machine_frame) return Meaning::unknown;
   if (output_ == Output::axes) {
-    // Where the head turns the words hold the gauge length; elsewhere the control adds it.
-    const bool length_is_right = motion.tool_length_offset != shape_.model.head_turns;
-    return !motion.tcp && length_is_right ? Meaning::joints : Meaning::unknown;
+    // Where the head turns the words may hold the gauge length; elsewhere the control has to add it.
+    const bool length_is_held = motion.tool_length_offset || shape_.model.head_turns;
+    return !motion.tcp && length_is_held ? Meaning::joints : Meaning::unknown;
   }
   if (motion.tcp) return Meaning::tip;
   const bool plain = plain_ && motion.tool_length_offset && rotary_words_are_zero(now_.words);
@@ -54,6 +57,7 @@ void ToolPosition::go(const nc::ReadMotion& motion, std::optional<double> gauge_
   tcp_ = motion.tcp;
   now_.known = static_cast<std::uint8_t>((now_.known | motion.stated) & motion.known);
   now_.words = motion.position;
+  now_.length_is_added = motion.tool_length_offset && shape_.model.head_turns;
   now_.meaning = meaning_of(motion);
   now_.placed = now_.known == columns_.all() && now_.meaning != Meaning::unknown &&
                 place(now_, gauge_length_mm);
@@ -63,6 +67,7 @@ bool ToolPosition::place(Stop& stop, std::optional<double> gauge_length_mm) cons
   stop.joints = columns_.joints(stop.words);
   if (stop.meaning == Meaning::joints) {
     if (!gauge_length_mm) return false;
+    if (stop.length_is_added) stop.joints.linear_mm += *gauge_length_mm * length_direction_;
     stop.station = joint_station(shape_, stop.joints, *gauge_length_mm, origin_mm_);
     return true;
   }

@@ -23,6 +23,7 @@ struct Stop {
   std::uint8_t known = 0;  ///< bit i: words[i] holds
   Meaning meaning = Meaning::unknown;
   bool placed = false;  ///< joints and station hold
+  bool length_is_added = false;  ///< the control adds the tool length on a machine whose head turns
   Words words{};
   kinematics::Joints joints;
   Station station;
@@ -57,6 +58,7 @@ class ToolPosition {
   const AxisColumns& columns_;
   Output output_;
   Vec3 origin_mm_;
+  Vec3 length_direction_;  ///< in which a control adds a tool length
   bool plain_ =
       false;  ///< with all rotary joints at zero the linear words are the tip's coordinates
   bool tcp_ = false;

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <ostream>
+#include <random>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -323,6 +324,25 @@ TEST(Definition, MayHaveEveryKeyOfTheSchema) {
     for (const auto& key : object.object("properties").keys())
       EXPECT_NE(demo_definition.find("\"" + key + "\":"), std::string::npos) << key;
   EXPECT_FALSE(schema.problem());
+}
+
+TEST(Definition, SurvivesDamage) {
+  std::mt19937_64 random{42};
+  constexpr std::string_view letters = "{}[]\",:019.-eE \\nullXYZABC\x80";
+  int refused = 0;
+  for (int i = 0; i < 400; ++i) {
+    std::string text = demo_definition;
+    const auto at = random() % text.size();
+    if (i % 3 == 0)
+      text.erase(at, 1 + random() % 8);
+    else
+      text[at] = letters[random() % letters.size()];
+    const auto definition = definition_from_text(text, dialects);
+    if (definition) continue;
+    ++refused;
+    ASSERT_FALSE(definition.error().message.empty()) << text;
+  }
+  EXPECT_GT(refused, 100);
 }
 
 TEST(Definition, IsRefusedWhenItIsNoObject) {

@@ -131,7 +131,7 @@ TEST(Fanuc30iWriter, WritesAPointInEveryAxisWordAndFeed) {
 
   EXPECT_EQ(body(motion),
             "G1 X10. Y-0.5 Z0.05 A100. C0. F500.\n"
-            "X-1000.25 Y0.001 Z-10. A999999.999 C-999999.999 F88.9\n");
+            "X-1000.25 Y0.001 Z-10. A999999.999 C-999999.999 F88.97\n");
 }
 
 TEST(Fanuc30iWriter, LeavesOutWordsThatDoNotChange) {

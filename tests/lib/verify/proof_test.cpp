@@ -491,7 +491,7 @@ TEST(ProofOfJointValues, FailsWithTheGaugeLengthOfAnotherToolOrNone) {
 TEST(ProofOfJointValues, FailsWhereTheControlAddsTheLengthOnceMore) {
   sample::Program program = on_fork_head();
   program.lines.insert(program.lines.begin(), "LEN1");
-  EXPECT_FAILURE(program, "no set of joint values");
+  EXPECT_FAILURE(program, "the tool tip leaves the CL path");
 }
 
 TEST(ProofOfJointValues, FailsWithTcp) {

@@ -27,6 +27,7 @@ constexpr std::size_t comment_width = 60;
 CommonSettings default_settings() {
   CommonSettings defaults;
   defaults.block_numbers.on = true;
+  defaults.feed_decimals = 3;
   defaults.start_lines = {"G90"};
   defaults.end_lines = {"M30"};
   defaults.safe_retract = {"M140 MB MAX"};
@@ -67,7 +68,9 @@ Result<Settings> read(const machine::Options& given) {
 Result<Abilities> abilities(const machine::Options& given) {
   const auto settings = read(given);
   if (!settings) return settings.error();
-  return common_abilities(settings->common);
+  Abilities can = common_abilities(settings->common);
+  can.adds_length_always = true;
+  return can;
 }
 
 /// Writes one program; what the control holds modal at each block is kept here.
@@ -282,11 +285,6 @@ bool Writer::write_feed(std::string& out, double feed_mm_min, std::uint32_t cl_l
 }
 
 bool Writer::act(const path::ToolCall& call, std::uint32_t cl_line) {
-  if (motion_.output == Output::axes && !motion_.length_offset)
-    return refuse(refusal(Code::unsupported_output,
-                          "this control adds the tool length to Z at every tool call, so joint "
-                          "values that hold it already cannot be written; use output tcp",
-                          cl_line));
   if (call.number < 0 || call.number > largest_tool)
     return refuse(refusal(
         Code::out_of_domain,

@@ -1,0 +1,94 @@
+// Exit codes and outputs of the commands.
+//   node command_line.mjs PENTAPOST
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import fs from "node:fs";
+import os from "node:os";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import test from "node:test";
+
+const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
+const binary = path.resolve(process.argv[2]);
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), "pentapost-"));
+process.on("exit", () => fs.rmSync(folder, { recursive: true }));
+
+function run(...words) {
+  const { input, env } = typeof words.at(-1) === "object" ? words.pop() : {};
+  const result = spawnSync(binary, words, { input, encoding: "utf8", cwd: folder,
+    env: { ...process.env, PENTAPOST_MACHINES: path.join(root, "machines"), ...env } });
+  return { code: result.status, out: result.stdout, err: result.stderr };
+}
+
+function file(name, text) {
+  fs.writeFileSync(path.join(folder, name), text);
+  return name;
+}
+
+const good = file("good.cls", "UNITS/MM\nFEDRAT/MMPM,600\nGOTO/0,0,0,0,0,1\nGOTO/10,0,0,0,0,1\nFINI\n");
+const damaged = file("damaged.cls", "UNITS/MM\nFEDRAT/MMPM,600\nGOTO/0,0,x\n");
+const below = file("below.cls", "UNITS/MM\nFEDRAT/MMPM,600\nGOTO/0,0,0,0,0,1\nGOTO/10,0,0,0.6,0,0.8\n");
+
+test("post writes the program to stdout and the report to stderr", () => {
+  const { code, out, err } = run("post", good, "--machine", "generic-3axis");
+  assert.equal(code, 0, err);
+  assert.match(out, /M30/);
+  assert.equal(JSON.parse(err).verification.passed, true);
+});
+
+test("post reads stdin, and writes files where told to", () => {
+  const input = fs.readFileSync(path.join(folder, good), "utf8");
+  const { code, out, err } = run("post", "-", "--machine", "generic-3axis", "--out", "a.nc", "--report", "a.json",
+    { input });
+  assert.deepEqual([code, out, err], [0, "", ""]);
+  assert.match(fs.readFileSync(path.join(folder, "a.nc"), "utf8"), /M30/);
+  assert.equal(JSON.parse(fs.readFileSync(path.join(folder, "a.json"), "utf8")).machine.name, "generic-3axis");
+});
+
+test("post takes a job and the machine from the environment", () => {
+  const job = file("job.json", '{"tolerances": {"tip_mm": 0.02}}');
+  assert.equal(run("post", good, "--job", job, { env: { PENTAPOST_MACHINE: "generic-3axis" } }).code, 0);
+});
+
+test("post answers the same bytes every time", () => {
+  const first = run("post", good, "--machine", "hermle-c600u");
+  assert.equal(first.out, run("post", good, "--machine", "hermle-c600u").out);
+});
+
+for (const [title, words, expected, text] of [
+  ["no command", [], 1, /subcommand/i],
+  ["an unknown option", ["post", good, "--tip", "1"], 1, /--tip/],
+  ["an unusable port", ["serve", "--port", "70000"], 1, /70000/],
+  ["a damaged CL file", ["post", damaged, "--machine", "generic-3axis"], 2, /"cl_line":3/],
+  ["no machine", ["post", good], 2, /missing_key/],
+  ["an unknown machine", ["post", good, "--machine", "generic-3axs"], 2, /generic-3axis/],
+  ["a bad tolerance", ["post", good, "--machine", "generic-3axis", "--tip-mm", "0"], 2, /tolerances\/tip_mm/],
+  ["a tool axis out of reach", ["post", below, "--machine", "generic-3axis"], 3, /out_of_reach/],
+  ["a file that is not there", ["post", "none.cls", "--machine", "generic-3axis"], 5, /none\.cls/],
+  ["an output that can't be written", ["post", good, "--machine", "generic-3axis", "--out", "none/a.nc"], 5, /none\/a\.nc/],
+  ["a folder without machines", ["serve", "--check", "--machines", "none"], 5, /none/],
+]) {
+  test(`exit code ${expected}: ${title}`, () => {
+    const { code, out, err } = run(...words);
+    assert.equal(code, expected, err);
+    assert.match(err, text);
+    assert.equal(out, "");
+  });
+}
+
+test("a refusal leaves no file behind", () => {
+  assert.equal(run("post", below, "--machine", "generic-3axis", "--out", "b.nc").code, 3);
+  assert.deepEqual(fs.readdirSync(folder).filter((name) => name.startsWith("b.nc")), []);
+});
+
+test("the other commands answer", () => {
+  assert.match(run("machines").out, /^hermle-c600u@1\.0\.0\t/m);
+  assert.match(run("dialects").out, /^fanuc-30i\t/m);
+  assert.match(run("version").out, /^pentapost \d+\.\d+\.\d+\n$/);
+  assert.match(run("serve", "--check").out, /^\d+ machines in /);
+  for (const command of ["serve", "post", "machines", "dialects", "version"]) {
+    const { code, out } = run(command, "--help");
+    assert.equal(code, 0);
+    assert.match(out, /Usage: pentapost/);
+  }
+});

@@ -1,0 +1,204 @@
+// Holds every answer of a running server against api/openapi.yaml.
+//   node contract.mjs PENTAPOST            checks; ends with 1 where an answer breaks the contract
+//   node contract.mjs PENTAPOST --update   also writes the answers into api/examples/*.json
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { Contract } from "./contract_document.mjs";
+import { open, request, start } from "./running_server.mjs";
+
+const here = path.dirname(fileURLToPath(import.meta.url));
+const root = path.resolve(here, "../..");
+const [binary, ...flags] = process.argv.slice(2);
+const update = flags.includes("--update");
+const contract = new Contract(path.join(root, "api"));
+let failures = 0;
+
+async function check(title, run) {
+  try {
+    await run();
+    console.log(`ok      ${title}`);
+  } catch (error) {
+    failures += 1;
+    console.log(`FAILED  ${title}\n        ${error.message.replaceAll("\n", "\n        ")}`);
+  }
+}
+
+/// Sends one request and holds the answer against the document.
+async function held(port, wanted, status) {
+  const answer = await request(port, wanted);
+  if (status !== undefined)
+    assert.equal(answer.status, status, `status ${answer.status}: ${answer.text.slice(0, 300)}`);
+  contract.check(wanted, answer);
+  return answer;
+}
+
+const job = (body, more = {}) => ({
+  method: "POST", path: "/post", headers: { "content-type": "application/json" },
+  body: typeof body === "string" ? body : JSON.stringify(body), ...more,
+});
+const text = (query, body, headers = {}) => ({
+  method: "POST", path: "/post", query, headers: { "content-type": "text/plain", ...headers }, body,
+});
+
+async function checkReading(port) {
+  const names = (await held(port, { path: "/machines" }, 200)).json.machines.map((m) => m.name);
+  assert.ok(names.length > 0, "there are no machines");
+  for (const name of names) {
+    await check(`GET /machines/${name}, its bytes, its tag, and back as an inline machine`, async () => {
+      const answer = await held(port, { path: `/machines/${name}` }, 200);
+      const { version } = answer.json;
+      const pinned = await held(port, { path: `/machines/${name}/versions/${version}` }, 200);
+      assert.deepEqual(pinned.bytes, fs.readFileSync(path.join(root, "machines", name, `${version}.json`)));
+      const known = { "if-none-match": answer.headers.etag };
+      assert.equal((await held(port, { path: `/machines/${name}`, headers: known }, 304)).bytes.length, 0);
+      const inline = await held(port, job({ machine: answer.json, cl: "" }), 400);
+      assert.equal(inline.json.code, "no_motion");
+    });
+  }
+  for (const place of ["/machines", "/dialects", "/healthz", "/version", "/openapi.yaml",
+    "/schemas/machine.schema.json"]) {
+    await check(`GET and HEAD ${place}, and 406`, async () => {
+      const whole = await held(port, { path: place }, 200);
+      const head = await held(port, { method: "HEAD", path: place }, 200);
+      assert.equal(head.headers["content-length"], String(whole.bytes.length));
+      assert.equal(head.bytes.length, 0);
+      await held(port, { path: place, headers: { accept: "image/png" } }, 406);
+    });
+  }
+  await check("GET /openapi.yaml is this document", async () => {
+    const answer = await held(port, { path: "/openapi.yaml" }, 200);
+    assert.deepEqual(answer.bytes, fs.readFileSync(path.join(root, "api/openapi.yaml")));
+  });
+}
+
+async function checkRefusals(port) {
+  const cl = "GOTO/0,0,0\n";
+  const refusals = [
+    ["no JSON", job("{"), 400, "bad_json"],
+    ["an empty body", job(""), 400, "bad_json"],
+    ["a key that stands twice", job('{"machine":"generic-3axis","cl":"","cl":""}'), 400, "bad_json"],
+    ["deep nesting", job("[".repeat(100_000)), 400, "bad_json"],
+    ["an unknown key", job({ machine: "generic-3axis", cl, tolerance: 1 }), 400, "unknown_key"],
+    ["a wrong type", job({ machine: 1, cl }), 400, "wrong_type"],
+    ["a tolerance of 0", job({ machine: "generic-3axis", cl, tolerances: { tip_mm: 0 } }), 400, "out_of_domain"],
+    ["no path", job({ machine: "generic-3axis" }), 400, "missing_key"],
+    ["an empty CL file", text({ machine: "generic-3axis" }, ""), 400, "no_motion"],
+    ["an unknown query key", text({ machine: "generic-3axis", tip: "1" }, cl), 400, "unknown_key"],
+    ["an unknown machine", text({ machine: "hermle" }, cl), 404, "unknown_machine"],
+    ["an unknown version", text({ machine: "generic-3axis@9.9.9" }, cl), 404, "unknown_version"],
+    ["an unknown dialect", text({ machine: "generic-3axis", dialect: "x" }, cl), 422, "unknown_dialect"],
+    ["a definition that is none", job({ machine: { name: "x" }, cl }), 422, "definition_schema"],
+    ["a form without a boundary", { method: "POST", path: "/post",
+      headers: { "content-type": "multipart/form-data" }, body: "x" }, 400, "bad_form"],
+    ["another content type", { ...job("{}"), headers: { "content-type": "application/xml" } }, 415,
+      "unsupported_media_type"],
+    ["another Accept", text({ machine: "generic-3axis" }, cl, { accept: "image/png" }), 406, "not_acceptable"],
+    ["a body over the limit", job(`"${"x".repeat(1_100_000)}"`), 413, "body_too_large"],
+    ["a chunked body over the limit", job(`"${"x".repeat(1_100_000)}"`, { chunked: true }), 413,
+      "body_too_large"],
+    ["a head over the limit", { path: "/healthz", headers: { "x-a": "a".repeat(20_000) } }, 431,
+      "head_too_large"],
+    ["another method", { method: "DELETE", path: "/machines" }, 405, "method_not_allowed"],
+    ["another path", { path: "/analyse" }, 404, "not_found"],
+    ["another schema", { path: "/schemas/x.json" }, 404, "not_found"],
+    ["another machine", { path: "/machines/x" }, 404, "unknown_machine"],
+    ["another version", { path: "/machines/generic-3axis/versions/9.9.9" }, 404, "unknown_version"],
+  ];
+  for (const [title, wanted, status, code] of refusals) {
+    await check(`${status} ${code}: ${title}`, async () => {
+      const answer = await held(port, wanted, status);
+      assert.equal(answer.json.code, code);
+      assert.equal(answer.json.status, status);
+      if (status === 405) assert.equal(answer.headers.allow, "GET, HEAD");
+    });
+  }
+  await check("400 to 100 kB of random bytes, and the server lives on", async () => {
+    let state = 42;
+    const bytes = Buffer.from(Array.from({ length: 100_000 }, () => {
+      state = (Math.imul(state, 1_103_515_245) + 12_345) >>> 0;
+      return state >>> 24;
+    }));
+    const answer = await held(port, text({ machine: "generic-3axis" }, bytes), 400);
+    assert.ok(answer.json.detail.length > 0);
+    await held(port, { path: "/healthz" }, 200);
+  });
+  await check("503 while as many jobs as the bound allows are under way", async () => {
+    const holder = await open(port, "POST /post HTTP/1.1\r\nHost: a\r\nContent-Type: text/plain\r\n" +
+      "Content-Length: 5\r\nExpect: 100-continue\r\n\r\n");
+    try {
+      const answer = await held(port, text({ machine: "generic-3axis" }, cl), 503);
+      assert.equal(answer.json.code, "overloaded");
+      assert.equal(answer.headers["retry-after"], "1");
+    } finally {
+      holder.destroy();
+    }
+  });
+}
+
+/// What the schema of a job refuses, the server refuses, and the reverse.
+async function checkJobSchema(port) {
+  const path = { feed_mm_min: 100, points: [[0, 0, 0, 0, 0, 1], [1, 0, 0, 0, 0, 1]] };
+  const base = { machine: "generic-3axis", path };
+  const variants = [
+    {}, { tolerances: { tip_mm: 0 } }, { tolerances: { tip_mm: 1 } }, { tolerances: { tip: 1 } },
+    { setup: { origin_mm: [0, 0] } }, { setup: { origin_mm: [0, 0, "0"] } }, { setup: { theta_x_deg: 5 } },
+    { setup: [] }, { tools: { 1: { gauge_length_mm: -1 } } }, { tools: { "01": {} } }, { tools: { a: {} } },
+    { tools: { 1: { gauge_length_mm: 100 } } }, { post: { output: "tcp" } }, { post: { output: "joints" } },
+    { post: { dialect: null } }, { post: { flank: 1 } }, { post: { prefer: { tilt: "up" } } },
+    { post: { prefer: { first_turn_deg: [0] } } }, { limits: { X: { max_speed_mm_s: 0 } } },
+    { limits: { X: { max_speed_mm_s: 10 } } }, { limits: { X: 5 } }, { cl: "" }, { cl_units: "cm" },
+    { dual_nurbs: {} }, { nc: "" }, { path: { feed_mm_min: 0, points: path.points } },
+    { path: { points: path.points } }, { path: { ...path, points: [[0, 0, 0, 0, 0]] } },
+    { path: { ...path, points: [] } }, { path: { ...path, more: 1 } }, { machine: 5 }, { machine: null },
+  ];
+  for (const variant of variants) {
+    const body = { ...base, ...variant };
+    await check(`the schema and the server agree on ${JSON.stringify(variant).slice(0, 60)}`, async () => {
+      const answer = await held(port, job(body));
+      assert.equal(answer.status !== 400, contract.isJob(body), answer.text.slice(0, 300));
+    });
+  }
+}
+
+/// What differs from run to run is not compared.
+function comparable(answer) {
+  const content = answer.json ?? answer.text;
+  if (content && typeof content === "object" && "request_id" in content) content.request_id = "...";
+  return content;
+}
+
+async function checkExamples(port) {
+  const folder = path.join(root, "api/examples");
+  for (const name of fs.readdirSync(folder).filter((file) => file.endsWith(".json")).sort()) {
+    await check(`api/examples/${name}`, async () => {
+      const file = path.join(folder, name);
+      const example = JSON.parse(fs.readFileSync(file, "utf8"));
+      const wanted = { ...example.request };
+      if (wanted.json !== undefined) {
+        assert.equal(contract.isJob(wanted.json), example.answer.status !== 400, "the job and its schema");
+        wanted.body = JSON.stringify(wanted.json);
+      }
+      if (Array.isArray(wanted.body)) wanted.body = wanted.body.join("\n") + "\n";
+      const answer = await held(port, wanted, example.answer.status);
+      const seen = { status: answer.status, content_type: answer.headers["content-type"],
+        content: comparable(answer) };
+      if (update) fs.writeFileSync(file, JSON.stringify({ ...example, answer: seen }, null, 2) + "\n");
+      else assert.deepEqual(seen, example.answer);
+    });
+  }
+}
+
+const server = await start(binary, ["--body-limit-mib", "1", "--threads", "1", "--queue", "0"], root);
+try {
+  await checkReading(server.port);
+  await checkRefusals(server.port);
+  await checkJobSchema(server.port);
+  await checkExamples(server.port);
+} finally {
+  const code = await server.stop();
+  await check("SIGTERM ends the server with 0", () => assert.equal(code, 0));
+}
+await check("every operation of the document was called", () => assert.deepEqual(contract.uncalled(), []));
+process.exitCode = failures === 0 ? 0 : 1;
