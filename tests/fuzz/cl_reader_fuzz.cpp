@@ -43,10 +43,12 @@ void check_path(const path::ToolPath& path) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   if (size == 0) return 0;
-  const std::string_view text{reinterpret_cast<const char*>(bytes) + 1, size - 1};
-  // The first byte chooses the options: any dialect or none, any unit or none.
+  // The last byte chooses the options, so that a CL file is a whole text: any dialect or none, any
+  // unit or none.
+  const std::string_view text{reinterpret_cast<const char*>(bytes), size - 1};
+  const std::uint8_t last = bytes[size - 1];
   const auto dialects = cl::cl_dialects();
-  const std::size_t choice = bytes[0] % (3 * (dialects.size() + 1));
+  const std::size_t choice = last % (3 * (dialects.size() + 1));
   cl::ReadOptions options;
   if (choice / 3 < dialects.size()) options.dialect = dialects[choice / 3].name;
   if (choice % 3 == 1) options.units = cl::Units::mm;
@@ -62,7 +64,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
       deepest = std::max(deepest, cycle->peck_mm ? cycle->depth_mm / *cycle->peck_mm : 1.0);
   for (const path::Move move : result.path.move) pecks += move == path::Move::hole ? deepest : 0.0;
   if (pecks < 1e5) {
-    const auto native = [&](std::uint32_t point) { return (point + bytes[0]) % 3 == 0; };
+    const auto native = [&](std::uint32_t point) { return (point + last) % 3 == 0; };
     check_path(cl::expand_cycles(result.path, native));
   }
   return 0;
