@@ -81,16 +81,24 @@ configure() {
   fi
 }
 
-# build PRESET [TARGET...]: progress on a terminal, otherwise only what goes wrong. All on stderr.
+# build PRESET [TARGET...]: progress on a terminal. Elsewhere a word before the first build, then only
+# what goes wrong: `server/run post` has its report on stderr. All on stderr.
 build() {
-  local preset="$1"
+  local preset="$1" log
   shift
   configure "$preset"
-  local -a quiet=(--quiet)
-  if [ -t 2 ]; then quiet=(); fi
-  say "building: build/$preset${*:+ ($*)}"
-  ninja -C "$root/build/$preset" "${quiet[@]}" "$@" >&2 </dev/null ||
+  if [ -t 2 ] || [ ! -e "$root/build/$preset/.ninja_log" ]; then
+    say "building: build/$preset${*:+ ($*)}"
+  fi
+  if [ -t 2 ]; then
+    ninja -C "$root/build/$preset" "$@" >&2 </dev/null || fail "the build in build/$preset failed"
+    return
+  fi
+  log="$root/build/$preset/build.log"
+  if ! ninja -C "$root/build/$preset" --quiet "$@" >"$log" 2>&1 </dev/null; then
+    cat "$log" >&2
     fail "the build in build/$preset failed"
+  fi
 }
 
 if [ "${BASH_SOURCE[0]}" = "$0" ]; then

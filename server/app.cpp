@@ -146,6 +146,7 @@ Response App::answer(Passage passage, Request request) {
   if (result) return finished(std::move(result).value(), call.request);
   auto response = refuse(result.error(), call.request);
   response.cl = std::move(call.cl);
+  if (response.status == 500) response.defect = result.error().message;
   return response;
 }
 

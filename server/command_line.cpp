@@ -34,36 +34,48 @@ std::optional<std::string> read_file(const std::string& name) {
   if (file && !error) {
     text.resize(size);
     file.read(text.data(), static_cast<std::streamsize>(size));
-  } else if (file) {  // a pipe has no size
+  } else if (file && !std::filesystem::is_directory(name, error)) {  // a pipe has no size
     auto piped = read_stream(file);
     if (piped) return piped;
+  } else {
+    file.setstate(std::ios::failbit);
   }
   if (file) return text;
   std::cerr << "pentapost: cannot read " << name << '\n';
   return std::nullopt;
 }
 
-/// Writes a whole file or none: the text goes beside it first.
+bool write_to(const std::filesystem::path& name, std::string_view text) {
+  std::ofstream file{name, std::ios::binary | std::ios::trunc};
+  file << text << std::flush;
+  return static_cast<bool>(file);
+}
+
+/// Writes a whole file or none: the text goes beside it first. What is no file, such as a pipe or
+/// /dev/null, is written to; a symbolic link stays one.
 bool write_file(const std::string& name, std::string_view text) {
-  const std::string part = name + ".part";
   std::error_code error;
-  {
-    std::ofstream file{part, std::ios::binary | std::ios::trunc};
-    file << text << std::flush;
-    if (!file) error = std::make_error_code(std::errc::io_error);
+  const auto place = std::filesystem::weakly_canonical(name, error);
+  bool written = !error;
+  if (written && std::filesystem::exists(place, error) &&
+      !std::filesystem::is_regular_file(place, error)) {
+    written = write_to(place, text);
+  } else if (written) {
+    const std::filesystem::path part = place.string() + ".part";
+    written = write_to(part, text);
+    if (written) std::filesystem::rename(part, place, error);
+    written = written && !error;
+    if (!written) std::filesystem::remove(part, error);
   }
-  if (!error) std::filesystem::rename(part, name, error);
-  if (!error) return true;
-  std::error_code ignored;
-  std::filesystem::remove(part, ignored);
-  std::cerr << "pentapost: cannot write " << name << '\n';
-  return false;
+  if (!written) std::cerr << "pentapost: cannot write " << name << '\n';
+  return written;
 }
 
 /// Writes to a file, or to `stream` where it has no name.
 bool write_text(const std::string& name, std::ostream& stream, std::string_view text) {
   if (!name.empty()) return write_file(name, text);
   stream << text << std::flush;
+  if (!stream) std::cerr << "pentapost: cannot write to standard output\n";
   return static_cast<bool>(stream);
 }
 

@@ -41,6 +41,7 @@ struct Response {
   Fields headers = {};  ///< beside Content-Type, Content-Length, Date, Connection
   std::string body = {};
   std::optional<ClTrace> cl = {};  ///< for the log
+  std::string defect = {};         ///< for the log: what went wrong in the service; empty: nothing
 };
 
 }  // namespace pentapost::server

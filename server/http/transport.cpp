@@ -288,6 +288,8 @@ void Transport::Server::answer(Exchange& exchange) {
   try {
     exchange.response = answer_or_throw(exchange);
     exchange.bytes = exchange.response.body.size();
+    if (!exchange.response.defect.empty())
+      log_.defect(exchange.request.id, exchange.response.defect);
     return;
   } catch (const std::exception& exception) {
     what = exception.what();

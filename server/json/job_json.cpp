@@ -22,6 +22,7 @@ constexpr std::array output_words{"tcp"sv, "axes"sv};
 constexpr std::array unit_words{"mm"sv, "inch"sv};
 constexpr std::array tilt_words{"positive"sv, "negative"sv};
 constexpr std::int64_t largest_tool_number = 999'999'999;
+constexpr double largest_length_mm = 1e6;  // as far as a tool path may reach
 
 /// The words of a job, and where in the JSON job each belongs.
 struct WordRow {
@@ -184,6 +185,8 @@ std::optional<machine::Definition> JobReader::machine_of(const Object& job) {
 }
 
 void JobReader::read_path(const Object& job, jobs::PostJob& result) {
+  // null counts as not given, with either form of the path.
+  for (const auto key : {"cl"sv, "cl_units"sv, "cl_dialect"sv}) job.optional_value(key);
   const bool apart = parts_.cl.has_value();
   const int count = (apart ? 1 : 0) + (job.has("cl") ? 1 : 0) + (job.has("path") ? 1 : 0);
   if (count > 1) return fail(Code::conflicting_keys, "", "a job has exactly one of cl and path");
@@ -235,6 +238,9 @@ void JobReader::read_setup(const Object& job, jobs::Setup& setup) {
   const auto object = job.optional_object("setup");
   if (!object) return;
   setup.origin_mm = object->optional_vector3("origin_mm");
+  if (setup.origin_mm && setup.origin_mm->cwiseAbs().maxCoeff() > largest_length_mm)
+    object->fail_at("origin_mm", Code::out_of_domain,
+                    "found a coordinate beyond the largest, 1000000 mm");
   setup.theta_x_deg = object->optional_number("theta_x_deg").value_or(0.0);
   setup.theta_z_deg = object->optional_number("theta_z_deg").value_or(0.0);
   object->finish();
@@ -253,7 +259,8 @@ void JobReader::read_tools(const Object& job, jobs::PostJob& result) {
       return tools->fail_at(key, Code::out_of_domain,
                             "a tool's key is its number, 0 to 999999999, without leading zeros");
     }
-    if (const auto length = tool.optional_number("gauge_length_mm", Domain::not_negative()))
+    if (const auto length =
+            tool.optional_number("gauge_length_mm", Domain::between(0.0, largest_length_mm)))
       result.gauge_length_mm.emplace(number, *length);
     tool.finish();
   }

@@ -33,6 +33,7 @@ constexpr std::array status_rows{
     StatusRow{Code::bad_nurbs, 400},
     StatusRow{Code::nurbs_linearised, 400},
     StatusRow{Code::feed_per_revolution, 400},
+    StatusRow{Code::spindle_off, 400},
     StatusRow{Code::too_large, 400},
     StatusRow{Code::bad_json, 400},
     StatusRow{Code::bad_form, 400},

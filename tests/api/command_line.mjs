@@ -65,6 +65,7 @@ for (const [title, words, expected, text] of [
   ["a bad tolerance", ["post", good, "--machine", "generic-3axis", "--tip-mm", "0"], 2, /tolerances\/tip_mm/],
   ["a tool axis out of reach", ["post", below, "--machine", "generic-3axis"], 3, /out_of_reach/],
   ["a file that is not there", ["post", "none.cls", "--machine", "generic-3axis"], 5, /none\.cls/],
+  ["a folder for a file", ["post", ".", "--machine", "generic-3axis"], 5, /cannot read \./],
   ["an output that can't be written", ["post", good, "--machine", "generic-3axis", "--out", "none/a.nc"], 5, /none\/a\.nc/],
   ["a folder without machines", ["serve", "--check", "--machines", "none"], 5, /none/],
 ]) {
@@ -76,9 +77,36 @@ for (const [title, words, expected, text] of [
   });
 }
 
+test("exit code 5, with a word: standard output that takes nothing", () => {
+  const full = fs.openSync("/dev/full", "w");
+  const { status, stderr } = spawnSync(binary, ["post", good, "--machine", "generic-3axis"],
+    { stdio: ["ignore", full, "pipe"], encoding: "utf8", cwd: folder,
+      env: { ...process.env, PENTAPOST_MACHINES: path.join(root, "machines") } });
+  fs.closeSync(full);
+  assert.equal(status, 5);
+  assert.match(stderr, /standard output/);
+});
+
 test("a refusal leaves no file behind", () => {
   assert.equal(run("post", below, "--machine", "generic-3axis", "--out", "b.nc").code, 3);
   assert.deepEqual(fs.readdirSync(folder).filter((name) => name.startsWith("b.nc")), []);
+});
+
+test("a pipe is written to and stays one", () => {
+  const script = 'mkfifo pipe && cat pipe & while ! [ -p pipe ]; do sleep 0.01; done; "$@" && wait && [ -p pipe ]';
+  const words = ["post", good, "--machine", "generic-3axis", "--machines", path.join(root, "machines"),
+    "--out", "pipe", "--report", "pipe.json"];
+  const result = spawnSync("sh", ["-c", script, "sh", binary, ...words], { cwd: folder, encoding: "utf8", timeout: 60000 });
+  assert.equal(result.status, 0, result.stderr);
+  assert.match(result.stdout, /M30/);
+});
+
+test("a symbolic link stays one", () => {
+  file("linked.nc", "");
+  fs.symlinkSync("linked.nc", path.join(folder, "link.nc"));
+  assert.equal(run("post", good, "--machine", "generic-3axis", "--out", "link.nc").code, 0);
+  assert.equal(fs.readlinkSync(path.join(folder, "link.nc")), "linked.nc");
+  assert.match(fs.readFileSync(path.join(folder, "linked.nc"), "utf8"), /M30/);
 });
 
 test("the other commands answer", () => {

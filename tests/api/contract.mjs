@@ -144,6 +144,7 @@ async function checkJobSchema(port) {
   const variants = [
     {}, { tolerances: { tip_mm: 0 } }, { tolerances: { tip_mm: 1 } }, { tolerances: { tip: 1 } },
     { setup: { origin_mm: [0, 0] } }, { setup: { origin_mm: [0, 0, "0"] } }, { setup: { theta_x_deg: 5 } },
+    { setup: { origin_mm: [0, 0, 2e6] } }, { tools: { 1: { gauge_length_mm: 2e6 } } },
     { setup: [] }, { tools: { 1: { gauge_length_mm: -1 } } }, { tools: { "01": {} } }, { tools: { a: {} } },
     { tools: { 1: { gauge_length_mm: 100 } } }, { post: { output: "tcp" } }, { post: { output: "joints" } },
     { post: { dialect: null } }, { post: { flank: 1 } }, { post: { prefer: { tilt: "up" } } },
@@ -190,12 +191,41 @@ async function checkExamples(port) {
   }
 }
 
+/// The README's first example: its request, and what it prints of the answer.
+async function checkReadme(port) {
+  const readme = fs.readFileSync(path.join(root, "README.md"), "utf8");
+  const [, file, query] = readme.match(/--data-binary @(\S+) \\\n\s+'[^'?]+\/post\?([^']+)'/);
+  const block = (language) => readme.match(new RegExp(`\n\`\`\`${language}\n([^]*?)\n\`\`\`\n`))[1];
+  const wanted = text(Object.fromEntries(new URLSearchParams(query)), fs.readFileSync(path.join(root, file)),
+    { accept: "application/json" });
+  await check("the NC program in the README", async () => {
+    const { nc } = (await held(port, wanted, 200)).json;
+    let rest = `\n${nc}`;
+    for (const part of block("nc").split("\n…\n")) {
+      const place = rest.indexOf(`\n${part}\n`);
+      assert.ok(place >= 0, `not in the program, or not in this order:\n${part}`);
+      rest = rest.slice(place + part.length);
+    }
+  });
+  await check("the report in the README", async () => {
+    const { report } = (await held(port, wanted, 200)).json;
+    const same = (shown, real, key) => {
+      if (typeof shown === "number") assert.ok(Math.abs(shown - real) < 1e-4, `${key}: ${real}`);
+      else if (shown !== null && typeof shown === "object")
+        for (const name of Object.keys(shown)) same(shown[name], real[name], `${key}/${name}`);
+      else assert.equal(shown, real, key);
+    };
+    same(JSON.parse(block("json")), report, "");
+  });
+}
+
 const server = await start(binary, ["--body-limit-mib", "1", "--threads", "1", "--queue", "0"], root);
 try {
   await checkReading(server.port);
   await checkRefusals(server.port);
   await checkJobSchema(server.port);
   await checkExamples(server.port);
+  await checkReadme(server.port);
 } finally {
   const code = await server.stop();
   await check("SIGTERM ends the server with 0", () => assert.equal(code, 0));

@@ -80,6 +80,16 @@ TEST(JobJson, TakesNullAsNotGiven) {
   EXPECT_FALSE(job->post.dialect);
 }
 
+TEST(JobJson, TakesNullAsNotGivenBesideEitherPath) {
+  const std::string points = R"("path": {"feed_mm_min": 100, "points": [[0,0,0,0,0,1]]})";
+  EXPECT_TRUE(read(R"({"machine": "demo", "cl": null, "cl_units": null, "cl_dialect": null, )" +
+                   points + "}"));
+
+  const auto without = read(R"({"machine": "demo", "cl": null})");
+  ASSERT_FALSE(without);
+  EXPECT_EQ(without.error().code, Code::missing_key);
+}
+
 TEST(JobJson, ReadsPoints) {
   const auto job = read(R"({"machine": "demo",
                             "path": {"feed_mm_min": 100, "points": [[1,2,3,0,0,1],[4,5,6,0,0.6,0.8]]}})");
@@ -136,6 +146,10 @@ TEST(JobJson, RefusesWithThePlace) {
           {start + R"("tolerances": {"a/b~": 1}})", Code::unknown_key, "/tolerances/a~1b~0"},
           {start + R"("cl_units": "cm"})", Code::out_of_domain, "/cl_units"},
           {start + R"("setup": {"origin_mm": [1, 2]}})", Code::wrong_type, "/setup/origin_mm"},
+          {start + R"("setup": {"origin_mm": [0, 0, -1000001]}})", Code::out_of_domain,
+           "/setup/origin_mm"},
+          {start + R"("tools": {"1": {"gauge_length_mm": 1000001}}})", Code::out_of_domain,
+           "/tools/1/gauge_length_mm"},
           {start + R"("tools": {"x": {}}})", Code::out_of_domain, "/tools/x"},
           {start + R"("tools": {"01": {}}})", Code::out_of_domain, "/tools/01"},
           {start + R"("tools": {"-1": {}}})", Code::out_of_domain, "/tools/-1"},

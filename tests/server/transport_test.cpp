@@ -165,6 +165,21 @@ TEST(Transport, AnswersADefectWithoutItsText) {
   EXPECT_NE(server.log_text().find("the-id"), std::string::npos);
 }
 
+TEST(Transport, LogsWhyAProgramFailedItsProof) {
+  auto services = sample::services([](const jobs::PostJob&) -> Result<jobs::PostReport> {
+    return Problem{.code = Code::proof_failed, .message = "block 7 leaves the path"};
+  });
+  Running server{std::move(services)};
+  const auto answer = server.answer(post_head("Content-Length: 0\r\nX-Request-Id: the-id\r\n"));
+  server.stop();
+
+  EXPECT_TRUE(has_status(answer, 500));
+  EXPECT_NE(server.log_text().find(
+                R"("event":"defect","request_id":"the-id","what":"block 7 leaves the path")"),
+            std::string::npos)
+      << server.log_text();
+}
+
 TEST(Transport, LogsRequestsWithoutTheirBody) {
   Running server{sample::services()};
   server.answer(post_head("Content-Length: 16\r\n") + "PARTNO/TOPSECRET");

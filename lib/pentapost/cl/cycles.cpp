@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace pentapost::cl {
@@ -19,8 +20,9 @@ constexpr double chip_retract_mm = 0.25;
 /// Copies a path and writes holes out.
 class Expansion {
  public:
-  Expansion(const path::ToolPath& path, const std::function<bool(std::uint32_t)>& stays_native)
-      : path_{path}, stays_native_{stays_native} {
+  Expansion(const path::ToolPath& path, const std::function<bool(std::uint32_t)>& stays_native,
+            Diagnostics* diagnostics)
+      : path_{path}, stays_native_{stays_native}, diagnostics_{diagnostics} {
     out_.program_name = path.program_name;
     out_.axis_rounding_rad = path.axis_rounding_rad;
     out_.has_tool_change = path.has_tool_change;
@@ -52,6 +54,7 @@ class Expansion {
         end_native(event.cl_line);
         cycle_ = *cycle;
         cycle_line_ = event.cl_line;
+        tap_is_reported_ = false;
         continue;
       }
       if (std::holds_alternative<path::CycleEnd>(event.what)) {
@@ -102,6 +105,7 @@ class Expansion {
       return;
     }
     end_native(line_);
+    report_tap();
     const double retract_mm = std::max(cycle_->retract_mm.value_or(0.0), cycle_->clearance_mm);
     if (retract_mm > cycle_->clearance_mm) rapid_to(retract_mm);
     rapid_to(cycle_->clearance_mm);
@@ -111,10 +115,20 @@ class Expansion {
     leave(retract_mm);
   }
 
+  bool taps() const { return cycle_->kind == Kind::tap || cycle_->kind == Kind::tap_left; }
+
+  void report_tap() {
+    if (!taps() || tap_is_reported_ || diagnostics_ == nullptr) return;
+    tap_is_reported_ = true;
+    diagnostics_->add({Severity::warning, Code::cycle_expanded, cycle_line_,
+                       "The tapping cycle at CL line " + std::to_string(cycle_line_) +
+                           " is written as single moves, which do not couple feed and spindle: it "
+                           "needs a tap holder that gives way."});
+  }
+
   /// Feed of the cycle, of a tap by its pitch; nullopt: the one that is on.
   std::optional<path::FeedRate> feed_of_hole() const {
-    const bool taps = cycle_->kind == Kind::tap || cycle_->kind == Kind::tap_left;
-    if (taps && cycle_->pitch_mm && spindle_.speed_rpm)
+    if (taps() && cycle_->pitch_mm && spindle_.speed_rpm)
       return path::FeedRate{*cycle_->pitch_mm * *spindle_.speed_rpm};
     if (cycle_->feed_mm_min) return path::FeedRate{*cycle_->feed_mm_min};
     return feed_;
@@ -140,10 +154,9 @@ class Expansion {
   }
 
   void leave(double retract_mm) {
-    const bool feeds_out = cycle_->kind == Kind::bore_drag || cycle_->kind == Kind::ream;
-    const bool taps = cycle_->kind == Kind::tap || cycle_->kind == Kind::tap_left;
+    const bool feeds_out = cycle_->kind == Kind::bore || cycle_->kind == Kind::ream;
     const bool was_on = spindle_.state != State::off;
-    if (taps) {
+    if (taps()) {
       const State inwards = was_on                      ? spindle_.state
                             : cycle_->kind == Kind::tap ? State::clockwise
                                                         : State::counterclockwise;
@@ -155,9 +168,11 @@ class Expansion {
     } else if (feeds_out) {
       feed_to(cycle_->clearance_mm);
     } else {
-      if (cycle_->kind == Kind::bore && was_on) turn_spindle(State::off);
+      // The tool drags out of the hole: it stands, as in G86.
+      const bool stands = cycle_->kind == Kind::bore_drag && was_on;
+      if (stands) turn_spindle(State::off);
       rapid_to(retract_mm);
-      if (cycle_->kind == Kind::bore && was_on) turn_spindle(spindle_.state);
+      if (stands) turn_spindle(spindle_.state);
       return;
     }
     if (retract_mm > cycle_->clearance_mm) rapid_to(retract_mm);
@@ -175,11 +190,13 @@ class Expansion {
 
   const path::ToolPath& path_;
   const std::function<bool(std::uint32_t)>& stays_native_;
+  Diagnostics* diagnostics_;
   path::ToolPath out_;
   std::size_t next_event_ = 0;
   std::optional<path::CycleStart> cycle_;
   std::uint32_t cycle_line_ = 0;
   bool native_is_on_ = false;
+  bool tap_is_reported_ = false;                ///< of this cycle
   std::optional<path::FeedRate> feed_;          ///< of the path
   std::optional<path::FeedRate> written_feed_;  ///< in the result
   path::Spindle spindle_;
@@ -190,8 +207,9 @@ class Expansion {
 }  // namespace
 
 path::ToolPath expand_cycles(const path::ToolPath& path,
-                             const std::function<bool(std::uint32_t point)>& stays_native) {
-  return Expansion{path, stays_native}.run();
+                             const std::function<bool(std::uint32_t point)>& stays_native,
+                             Diagnostics* diagnostics) {
+  return Expansion{path, stays_native, diagnostics}.run();
 }
 
 }  // namespace pentapost::cl

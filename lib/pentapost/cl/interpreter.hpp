@@ -41,6 +41,8 @@ class Interpreter {
   void tool_axis(const Major& major);
   void multax(const Major& major);
   void unreadable_motion(const Major& major);
+  void clearance_motion(const Major& major);
+  void frame_change(const Major& major);
   void coordinate_mode(const Major& major);
   // Curves: curve_statements.cpp
   void circle(const Major& major);

@@ -3,8 +3,8 @@
 #include "pentapost/core/number_text.hpp"
 
 #include <algorithm>
-
 #include <cmath>
+#include <vector>
 
 namespace pentapost::cl {
 namespace {
@@ -144,6 +144,31 @@ void Interpreter::unreadable_motion(const Major&) {
   report(Severity::error, Code::damaged_motion, [&] {
     return quoted_excerpt(statement_->text) +
            " is a motion along part surfaces, which CL data of points cannot hold: expected GOTO.";
+  });
+}
+
+/// RETRCT and PLUNGE go to and from a clearance plane, which CL data of points do not hold.
+void Interpreter::clearance_motion(const Major& major) {
+  words_.read(major.rest);
+  if (words_.has("ON") || words_.has("OFF")) return without_effect(major);
+  report_damage(Severity::error, Code::damaged_motion, "a GOTO to the place that it leads to");
+}
+
+/// Statements that move or turn the frame of the points behind them. Leaving one out would put all
+/// of these points in another place; one that changes nothing is harmless.
+void Interpreter::frame_change(const Major& major) {
+  words_.read(major.rest);
+  const auto numbers = words_.numbers();
+  const std::vector<double> identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  const bool all_zero = !numbers.empty() && std::all_of(numbers.begin(), numbers.end(),
+                                                        [](double n) { return n == 0.0; });
+  const bool ends = words_.has("NOMORE") || words_.has("OFF");
+  const bool changes_nothing = ends || all_zero || numbers == identity;
+  if (changes_nothing && !words_.has_damage()) return without_effect(major);
+  report(Severity::error, Code::damaged_motion, [&] {
+    return quoted_excerpt(statement_->text) +
+           " changes the frame of the points behind it, which is not understood: expected all "
+           "points in one frame.";
   });
 }
 

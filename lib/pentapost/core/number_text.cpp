@@ -128,7 +128,7 @@ std::int64_t decimal_count(double value, int decimals) {
   return towards_zero + static_cast<int>(part > 0.5) - static_cast<int>(part < -0.5);
 }
 
-void append_decimal(std::string& out, std::int64_t count, int decimals, const NumberStyle& style) {
+std::size_t write_decimal(char* to, std::int64_t count, int decimals, const NumberStyle& style) {
   power_of_ten(decimals);  // refuses what is out of its domain
   const auto places = static_cast<std::size_t>(decimals);
   const auto magnitude =
@@ -143,16 +143,21 @@ void append_decimal(std::string& out, std::int64_t count, int decimals, const Nu
   const std::size_t first = digits.first + (zero_in_front && has_fraction && !style.leading_zero);
 
   // Copies of a fixed size cost less than loops; what they copy too much is written over.
-  std::array<char, 3 * Digits::size> text;
+  static_assert(decimal_room == 3 * Digits::size);
   std::size_t length = 0;
-  text[0] = count < 0 ? '-' : '+';
+  to[0] = count < 0 ? '-' : '+';
   length += count < 0 || style.plus_sign;
-  std::memcpy(&text[length], &digits.text[first], Digits::size);
+  std::memcpy(&to[length], &digits.text[first], Digits::size);
   length += point - first;
-  text[length] = '.';
+  to[length] = '.';
   length += has_fraction || style.always_point;
-  std::memcpy(&text[length], &digits.text[point], Digits::size);
-  out.append(text.data(), length + end - point);
+  std::memcpy(&to[length], &digits.text[point], Digits::size);
+  return length + end - point;
+}
+
+void append_decimal(std::string& out, std::int64_t count, int decimals, const NumberStyle& style) {
+  std::array<char, decimal_room> text;
+  out.append(text.data(), write_decimal(text.data(), count, decimals, style));
 }
 
 std::string number_text(double value) {

@@ -30,6 +30,11 @@ struct NumberStyle {
 /// @param decimals  0 to 9, otherwise std::logic_error.
 void append_decimal(std::string& out, std::int64_t count, int decimals, const NumberStyle& style);
 
+/// As append_decimal(), to memory of `decimal_room` characters, of which all may be written.
+/// @return the count of characters that the number takes.
+inline constexpr std::size_t decimal_room = 72;
+std::size_t write_decimal(char* to, std::int64_t count, int decimals, const NumberStyle& style);
+
 /// Shortest text that reads back as `value`, for messages ("118.204").
 std::string number_text(double value);
 

@@ -76,6 +76,7 @@ plan::Settings settings_of(const PostJob& job, const Control& control) {
   settings.decimals_mm = can.decimals_mm;
   settings.decimals_deg = can.decimals_deg;
   settings.feed_decimals = can.feed_decimals;
+  settings.largest_feed = can.largest_feed;
   settings.inverse_time = can.inverse_time;
   settings.largest_inverse_time = can.largest_inverse_time;
   settings.adds_length_always = can.adds_length_always;
@@ -153,8 +154,8 @@ Problem unproven(Problem problem, const path::ToolPath& tool_path) {
     const auto* inserted = std::get_if<path::InsertedText>(&event.what);
     if (inserted == nullptr) continue;
     return {.code = Code::not_in_dialect,
-            .message = "the text inserted at CL line " + std::to_string(event.cl_line) +
-                       " keeps the program from being proven: " + problem.message,
+            .message = "the program with the text that the CL data insert (first at CL line " +
+                       std::to_string(event.cl_line) + ") cannot be proven: " + problem.message,
             .cl_line = event.cl_line};
   }
   return problem;
@@ -177,7 +178,8 @@ Result<PostReport> post(const PostJob& job) {
   const plan::Settings settings = settings_of(job, *control);
   if (std::find(tool_path.move.begin(), tool_path.move.end(), path::Move::hole) !=
       tool_path.move.end())
-    tool_path = cl::expand_cycles(tool_path, plan::native_holes(model, tool_path, settings));
+    tool_path = cl::expand_cycles(tool_path, plan::native_holes(model, tool_path, settings),
+                                  &read->diagnostics);
 
   PostReport report;
   report.diagnostics = std::move(read->diagnostics);

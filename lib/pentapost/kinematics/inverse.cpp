@@ -127,6 +127,20 @@ RotarySolutions inverse_rotary(const Model& model, const Vec3& axis, double slac
                                  : solve_cone(model, axis, slack_rad);
 }
 
+RotaryInside inverse_rotary_inside(const Model& model, const Vec3& axis, int branch) {
+  const Model::Fixed& fixed = model.fixed;
+  const Shadow shadow{fixed.p.dot(axis), fixed.q.dot(axis)};
+  RotaryInside found;
+  found.sin_gamma = shadow.norm();
+  const HalfAngle opening = half_opening(fixed, half_of(found.sin_gamma, fixed.a_drawn.dot(axis)));
+  found.opening_rad = 2.0 * std::atan2(opening.sine, opening.cosine);
+  const Shadow middle = fixed.start + 2.0 * opening.sine * opening.sine * fixed.turned_half;
+  const Shadow aside = 2.0 * opening.sine * opening.cosine * fixed.turned_quarter;
+  found.first_rad =
+      angle_rad(branch == 0 ? Shadow{middle + aside} : Shadow{middle - aside}, shadow);
+  return found;
+}
+
 std::optional<Vec3> inverse_linear(const Model& model, const Vec3& tip_mm, double first_rad,
                                    double second_rad, double gauge_length_mm) {
   const Turns turn{model, first_rad, second_rad};

@@ -39,6 +39,16 @@ struct RotarySolutions {
 /// Source: lib/README.md section 2; Cripps et al. 2017 Table 1 is lambda = mu = 90 deg.
 RotarySolutions inverse_rotary(const Model& model, const Vec3& axis, double slack_rad = 0.0);
 
+/// One branch of inverse_rotary() alone, at half its cost; the values are the same to the last bit.
+struct RotaryInside {
+  double first_rad = 0.0;    ///< of the branch, in [-pi, pi]
+  double opening_rad = 0.0;  ///< 0 or pi, too, where the axis is beyond the reach
+  double sin_gamma = 0.0;    ///< of the angle to the first rotary axis; 0 at a pole
+};
+/// For two rotary joints and a tool axis that is within reach and not at a pole, which the opening
+/// and sin_gamma of the answer tell; otherwise inverse_rotary() is to be asked.
+RotaryInside inverse_rotary_inside(const Model& model, const Vec3& axis, int branch);
+
 /// Linear joint values that bring the tool tip to `tip_mm` (table frame) at given rotary values.
 /// @return nullopt where the linear directions lose rank: where the volume that they span is below
 ///         1e-6 of that at zero (a quill on a head that lies down).

@@ -22,12 +22,13 @@ struct Abilities {
   int decimals_mm = 3;
   int decimals_deg = 3;
   int feed_decimals = 0;       ///< of feeds per minute
+  double largest_feed = 0.0;   ///< largest F per minute, 0: no bound known
   bool inverse_time = false;   ///< false: feed of a rotary move without TCP by the control's own rule
   double largest_inverse_time = 0.0;  ///< largest F in 1/min, 0: no bound known
   bool adds_length_always = false;  ///< without TCP the control adds the length of the tool in use, whatever the program says
   bool arcs = false;           ///< G02/G03 in the plane across Z
   bool helices = false;        ///< arcs that move along Z as well
-  bool arcs_with_tcp = true;   ///< arcs while TCP is on
+  bool arcs_with_tcp = false;  ///< arcs while TCP is on
   bool native_cycles = false;  ///< canned drilling cycles
   bool rapid_is_straight = false;  ///< rapids are written as straight moves
   double rapid_feed_mm_min = 0.0;  ///< of such rapids

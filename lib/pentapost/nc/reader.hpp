@@ -20,6 +20,18 @@ namespace pentapost::nc {
 struct ReadMotion {
   enum class Kind : std::uint8_t { rapid, line, arc, drill };
   enum class Feed : std::uint8_t { none, per_minute, inverse_time };
+  /// What a drilling cycle does: pecks with full retracts (deep) or small ones (break_chip), reverses
+  /// the spindle at the bottom (taps), leaves at feed (feed_out) or with the spindle stopped.
+  enum class Hole : std::uint8_t {
+    drill,
+    deep,
+    break_chip,
+    tap,
+    tap_left,
+    feed_out,
+    spindle_stop,
+    other
+  };
   Kind kind = Kind::line;
   Feed feed_mode = Feed::none;
   bool tcp = false;          ///< TCP is on
@@ -44,6 +56,7 @@ struct ReadMotion {
   double retract_z_mm = 0.0;    ///< the tool is here afterwards
   double peck_mm = 0.0;         ///< 0: none
   double dwell_s = 0.0;
+  Hole hole = Hole::drill;
   std::string_view cycle;       ///< the cycle's word, "G81"
 };
 

@@ -15,9 +15,11 @@ namespace pentapost::nc {
 /// Appends letter, count * 10^-decimals and a blank: "X+12.5 ".
 inline void append_word(std::string& out, char letter, std::int64_t count, int decimals,
                         const NumberStyle& style) {
-  out += letter;
-  append_decimal(out, count, decimals, style);
-  out += ' ';
+  std::array<char, decimal_room + 2> text;
+  text[0] = letter;
+  const std::size_t end = 1 + write_decimal(&text[1], count, decimals, style);
+  text[end] = ' ';
+  out.append(text.data(), end + 1);
 }
 
 /// Appends letter, whole number and a blank: "S12000 ".

@@ -92,7 +92,14 @@ double Segment::projected_fraction(const Vec3& point_mm, double near_fraction) c
   const double angle_rad =
       std::atan2(from_centre.dot(normal_.cross(radial_)), from_centre.dot(radial_));
   const double turns = std::round((near_fraction * sweep_rad_ - angle_rad) / (2.0 * pi));
-  return (angle_rad + 2.0 * pi * turns) / sweep_rad_;
+  const double of_angle = (angle_rad + 2.0 * pi * turns) / sweep_rad_;
+  const double rise_mm = height_to_mm_ - height_from_mm_;
+  if (rise_mm == 0.0) return of_angle;
+  // On a helix both angle and height tell the place, each by its share in the way.
+  const double of_height = (from_centre.dot(normal_) - height_from_mm_) / rise_mm;
+  const double round_mm = 0.5 * (radius_from_mm_ + radius_to_mm_) * sweep_rad_;
+  const double share = rise_mm * rise_mm / (rise_mm * rise_mm + round_mm * round_mm);
+  return of_angle + share * (of_height - of_angle);
 }
 
 double Segment::nearest_fraction(const Vec3& point_mm, double near_fraction) const {

@@ -21,6 +21,18 @@ double quadratic_bound(const Vec3& at_start, const Vec3& at_middle, const Vec3& 
 
 double chord_to_angle_rad(double chord) { return chord < 2.0 ? 2.0 * std::asin(0.5 * chord) : pi; }
 
+/// How far the quadratic through three errors along a straight way goes beyond its ends.
+double beyond_ends_mm(const std::array<double, 3>& ahead_mm, double length_mm) {
+  const double sag_mm = ahead_mm[1] - 0.5 * (ahead_mm[0] + ahead_mm[2]);
+  const double even_mm = length_mm + ahead_mm[2] - ahead_mm[0];
+  double beyond_mm = std::max({0.0, -ahead_mm[0], ahead_mm[2]});
+  if (const double turn = (even_mm + 4.0 * sag_mm) / (8.0 * sag_mm); turn > 0.0 && turn < 1.0) {
+    const double there_mm = ahead_mm[0] + turn * even_mm + 4.0 * sag_mm * turn * (1.0 - turn);
+    beyond_mm = std::max({beyond_mm, -there_mm, there_mm - length_mm});
+  }
+  return beyond_mm;
+}
+
 /// Distance that the digits printed leave open.
 double printed_resolution_mm(int decimals_mm) {
   return 0.5 * std::sqrt(3.0) * std::pow(10.0, -decimals_mm);
@@ -88,25 +100,29 @@ BlockBound bound_block(const kinematics::Model& model, const Settings& settings,
     third_mm += cube(swept_rad) * segment.largest_radius_mm();
   }
   const double length_mm = share * segment.length_mm();
+  double beyond_mm = 0.0, ahead_mm = 0.0;
   if (!segment.is_arc() && segment.length_mm() > 0.0) {
-    // Only what lies across the straight way is a deviation; what lies along it delays the axis.
+    // What lies across the straight way is a deviation, and what goes beyond its ends; what lies
+    // along it delays the axis.
     const Vec3 along = (segment.tip_to_mm() - segment.tip_from_mm()) / segment.length_mm();
-    double ahead_mm = 0.0;
-    for (Vec3& error : tip_error) {
-      const double part_mm = along.dot(error);
-      ahead_mm = std::max(ahead_mm, std::abs(part_mm));
-      error -= part_mm * along;
+    std::array<double, 3> ahead{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      ahead[i] = along.dot(tip_error[i]);
+      tip_error[i] -= ahead[i] * along;
     }
-    ahead_mm += cubic_remainder * third_mm;
-    if (settings.output == Output::axes) {
-      const double unknown_mm =
-          std::max(0.0, ahead_mm - printed_resolution_mm(settings.decimals_mm));
-      bound.axis_rad +=
-          axis_turn_rad * (length_mm > 0.0 ? std::min(1.0, unknown_mm / length_mm) : 1.0);
-    }
+    beyond_mm = beyond_ends_mm(ahead, length_mm);
+    ahead_mm = std::max(std::abs(ahead[0]), std::abs(ahead[2])) +
+               std::abs(ahead[1] - 0.5 * (ahead[0] + ahead[2])) + cubic_remainder * third_mm;
   }
-  bound.tip_mm =
-      quadratic_bound(tip_error[0], tip_error[1], tip_error[2]) + cubic_remainder * third_mm;
+  bound.tip_mm = std::hypot(quadratic_bound(tip_error[0], tip_error[1], tip_error[2]), beyond_mm) +
+                 cubic_remainder * third_mm;
+  // On a circle the whole deviation can delay, by up to a quarter turn for its radius.
+  if (segment.is_arc()) ahead_mm = 0.5 * pi * bound.tip_mm;
+  if (settings.output == Output::axes && segment.length_mm() > 0.0) {
+    const double unknown_mm = std::max(0.0, ahead_mm - printed_resolution_mm(settings.decimals_mm));
+    bound.axis_rad +=
+        axis_turn_rad * (length_mm > 0.0 ? std::min(1.0, unknown_mm / length_mm) : 1.0);
+  }
   return bound;
 }
 

@@ -6,6 +6,8 @@
 #include "pentapost/plan/linearise.hpp"
 #include "pentapost/plan/move_curve.hpp"
 #include "pentapost/plan/native_arc.hpp"
+#include "pentapost/plan/plain_block.hpp"
+#include "pentapost/plan/plain_choice.hpp"
 #include "pentapost/plan/retract.hpp"
 
 #include <algorithm>
@@ -18,6 +20,12 @@ using path::Block;
 
 /// Share of a move that a turn in place takes: the tip does not get further in it.
 constexpr double standing_share = 1e-9;
+/// How closely rapids keep their line where joint values run evenly.
+constexpr double rapid_tolerance_mm = 1.0;
+constexpr double rapid_tolerance_rad = 2.0 * rad_per_deg;
+/// Blocks of a program beyond one a point: far above any real need, so that no input exhausts the
+/// memory.
+constexpr std::uint64_t largest_inserted_count = 10'000'000;
 /// Rotary values this close are the same posture.
 constexpr double same_rad = 1e-6;
 
@@ -40,6 +48,7 @@ class Cutting {
         slack_rad_{slack_rad},
         check_linear_{check_linear},
         maker_{model, ranges, settings, gauge_length_mm, check_linear},
+        plain_block_{model, settings, maker_},
         feed_rule_{model, settings, maker_.columns()},
         frame_{frame},
         program_{program},
@@ -53,7 +62,12 @@ class Cutting {
     if (!posture) return std::move(posture).error();
     posture_ = *posture;
     const bool by_feed = tool_path_.move[begin] == path::Move::feed && frame_.feed_mm_min();
-    frame_.approach(*posture, begin, by_feed);
+    // A feed down from far would take minutes.
+    constexpr double feed_down_mm = 10.0;
+    const double distance_mm =
+        by_feed ? std::min(feed_down_mm, settings_.retract_mm) : settings_.retract_mm;
+    frame_.approach(*posture, posture_above(place_of(begin), rotary_, distance_mm, maker_), begin,
+                    by_feed);
     for (std::uint32_t point = begin; point < axis_path_.range.end; ++point) {
       if (point > begin) {
         frame_.take_events(point);
@@ -77,7 +91,16 @@ class Cutting {
             planned_axis(point), frame_.arc()};
   }
 
+  void warn_of_spindle(std::uint32_t point) {
+    if (!frame_.spindle_is_missing()) return;
+    const std::uint32_t line = tool_path_.cl_line[point];
+    program_.diagnostics.add({Severity::warning, Code::spindle_off, line,
+                              "the tool cuts at CL line " + std::to_string(line) +
+                                  " with the spindle off: the CL data do not start it"});
+  }
+
   Status move_to(std::uint32_t point) {
+    if (tool_path_.move[point] != path::Move::rapid) warn_of_spindle(point);
     const RotaryPair& arrival = axis_path_.at(point);
     switch (tool_path_.move[point]) {
       case path::Move::rapid:
@@ -87,8 +110,9 @@ class Cutting {
       case path::Move::feed:
         break;
     }
+    if (auto done = cut_plainly(point, arrival)) return *std::move(done);
     const path::Segment segment = segment_to(point);
-    account(segment);
+    account(segment.length_mm());
     if (same(rotary_, arrival) && !crosses(point)) {
       if (const auto pieces = native_arc(model_, settings_, maker_, segment, rotary_, posture_,
                                          tool_path_.cl_line[point]))
@@ -101,18 +125,100 @@ class Cutting {
     return crossing_ != axis_path_.crossings.end() && crossing_->point == point;
   }
 
-  void account(const path::Segment& segment) {
-    program_.length_mm += segment.length_mm();
-    if (const auto feed = frame_.feed_mm_min(); feed && segment.length_mm() > 0.0)
-      program_.programmed_time_s += 60.0 * segment.length_mm() / *feed;
+  void account(double length_mm) {
+    program_.length_mm += length_mm;
+    if (const auto feed = frame_.feed_mm_min(); feed && length_mm > 0.0)
+      program_.programmed_time_s += 60.0 * length_mm / *feed;
+  }
+
+  /// The usual move: a line that one block follows; nullopt: cut() has to look closer.
+  std::optional<Status> cut_plainly(std::uint32_t point, const RotaryPair& arrival) {
+    if (frame_.arc() != nullptr || turn_before_move_ || pending_rewind_ || crosses(point))
+      return std::nullopt;
+    const Vec3 &tip_from_mm = tool_path_.tip_wp_mm[point - 1],
+               &tip_to_mm = tool_path_.tip_wp_mm[point];
+    auto end = maker_.posture(tip_to_mm, arrival, tool_path_.cl_line[point]);
+    if (!end) return std::move(end).error();
+    const double length_mm = (tip_to_mm - tip_from_mm).norm();
+    if (!plain_block_.suffices(
+            {tip_from_mm, planned_axis(point - 1), tip_to_mm, planned_axis(point), length_mm},
+            posture_, *end))
+      return std::nullopt;
+    account(length_mm);
+    const bool moves = end->word != posture_.word;
+    Block& block = frame_.add_block(*end, point, Block::Kind::line);
+    if (moves || frame_.feed_mm_min())
+      if (auto status = feed_rule_.set(block, posture_, *end, length_mm, frame_.feed_mm_min());
+          !status)
+        return status;
+    posture_ = *end;
+    rotary_ = arrival;
+    return ok();
+  }
+
+  RetractPlace place_of(std::uint32_t point) const {
+    return {tool_path_.tip_wp_mm[point], tool_path_.axis_wp[point], point,
+            tool_path_.cl_line[point]};
   }
 
   Status rapid_to(std::uint32_t point, const RotaryPair& arrival) {
+    if (pending_rewind_) return rapid_by_safe_end(point, arrival);
+    if (settings_.output == Output::axes && !same(rotary_, arrival))
+      return rapid_in_parts(point, arrival) ? ok() : rapid_by_safe_end(point, arrival);
     if (crosses(point)) ++crossing_;
     turn_before_move_.reset();  // the rapid turns the axis on its way
+    return rapid_block(point, arrival);
+  }
+
+  Status rapid_block(std::uint32_t point, const RotaryPair& arrival) {
     auto posture = maker_.posture(tool_path_.tip_wp_mm[point], arrival, tool_path_.cl_line[point]);
     if (!posture) return std::move(posture).error();
     frame_.add_block(*posture, point, Block::Kind::rapid);
+    posture_ = *posture;
+    rotary_ = arrival;
+    return ok();
+  }
+
+  /// With joint values for words a turning rapid would take the tool off its line by far, and into
+  /// the part: it is divided like a cut, though not as finely.
+  /// @return a Problem, and nothing written, where the machine cannot follow the line.
+  Status rapid_in_parts(std::uint32_t point, const RotaryPair& arrival) {
+    Settings coarse = settings_;
+    coarse.tip_tolerance_mm = std::max(settings_.tip_tolerance_mm, rapid_tolerance_mm);
+    coarse.axis_tolerance_rad = std::max(settings_.axis_tolerance_rad, rapid_tolerance_rad);
+    const path::Segment segment = segment_to(point);
+    ends_.clear();
+    Posture from = posture_;
+    for (const MovePart& part : parts_of(point, arrival)) {
+      if (auto status = linearise(model_, coarse, maker_, segment, part, from, slack_rad_,
+                                  tool_path_.cl_line[point], ends_);
+          !status)
+        return status;
+      from = ends_.back().posture;
+    }
+    for (const Waypoint& end : ends_) {
+      Block& block = frame_.add_block(end.posture, point, Block::Kind::rapid);
+      block.fraction = end.fraction;
+      if (end.fraction != 1.0) ++program_.inserted_points;
+    }
+    posture_ = ends_.back().posture;
+    rotary_ = arrival;
+    return ok();
+  }
+
+  /// The axes cannot follow the rapid from end to end: the tool goes by way of its safe end.
+  Status rapid_by_safe_end(std::uint32_t point, const RotaryPair& arrival) {
+    pending_rewind_.reset();
+    if (crosses(point)) ++crossing_;
+    turn_before_move_.reset();
+    report_reposition(arrival, tool_path_.cl_line[point]);
+    if (const auto away = posture_above(place_of(point - 1), rotary_, settings_.retract_mm, maker_))
+      frame_.add_block(*away, point, Block::Kind::rapid).on_path = false;
+    frame_.leave();
+    auto posture = maker_.posture(tool_path_.tip_wp_mm[point], arrival, tool_path_.cl_line[point]);
+    if (!posture) return std::move(posture).error();
+    frame_.approach(*posture, posture_above(place_of(point), arrival, settings_.retract_mm, maker_),
+                    point, false);
     posture_ = *posture;
     rotary_ = arrival;
     return ok();
@@ -135,15 +241,20 @@ class Cutting {
       const RotaryPair from = parts.empty() ? rotary_ : parts.back().to;
       parts.push_back({kind, branch, from_fraction, to_fraction, from, to});
     };
+    const auto add_turn = [&](double fraction, const RotaryPair& to) {
+      add(MovePart::Kind::even, 0, fraction + standing_share, to);
+      parts.back().in_place = true;
+    };
     if (turn_before_move_) {
-      add(MovePart::Kind::even, 0, standing_share, *turn_before_move_);
+      add_turn(0.0, *turn_before_move_);
       turn_before_move_.reset();
     }
     if (crosses(point)) {
       const AxisPath::Crossing& crossing = *crossing_++;
-      add(MovePart::Kind::branch, crossing.branch_before, crossing.fraction, crossing.before);
-      if (!same(crossing.before, crossing.after))
-        add(MovePart::Kind::even, 0, crossing.fraction + standing_share, crossing.after);
+      const double fraction =
+          std::clamp(crossing.fraction, 2.0 * standing_share, 1.0 - 2.0 * standing_share);
+      add(MovePart::Kind::branch, crossing.branch_before, fraction, crossing.before);
+      if (!same(crossing.before, crossing.after)) add_turn(fraction, crossing.after);
       add(MovePart::Kind::branch, crossing.branch_after, 1.0, arrival);
       return parts;
     }
@@ -213,6 +324,7 @@ class Cutting {
             linearise(model_, settings_, maker_, segment, part, posture_, slack_rad_, line, ends_);
         !status)
       return status;
+    if (program_.inserted_points + ends_.size() > largest_inserted_count) return too_large(line);
     double fraction = part.fraction_from;
     for (const Waypoint& end : ends_) {
       const bool is_point = end.fraction == 1.0;
@@ -221,11 +333,9 @@ class Cutting {
       Block& block = frame_.add_block(end.posture, point, Block::Kind::line);
       block.fraction = end.fraction;
       const double length_mm = (end.fraction - fraction) * segment.length_mm();
-      const bool stands = part.kind == MovePart::Kind::even &&
-                          part.fraction_to - part.fraction_from <= standing_share;
       if (moves || frame_.feed_mm_min()) {
-        if (auto status = feed_rule_.set(block, posture_, end.posture, stands ? 0.0 : length_mm,
-                                         frame_.feed_mm_min());
+        if (auto status = feed_rule_.set(block, posture_, end.posture,
+                                         part.in_place ? 0.0 : length_mm, frame_.feed_mm_min());
             !status)
           return status;
       }
@@ -234,6 +344,14 @@ class Cutting {
     }
     rotary_ = part.to;
     return ok();
+  }
+
+  static Problem too_large(std::uint32_t line) {
+    return {.code = Code::too_large,
+            .message = "the path up to CL line " + std::to_string(line) + " needs more than " +
+                       std::to_string(largest_inserted_count) +
+                       " blocks beside those that end at its points",
+            .cl_line = line};
   }
 
   Status write_arc(std::uint32_t point, const path::Segment& segment,
@@ -264,11 +382,7 @@ class Cutting {
       if (departure_->inside) {
         pending_rewind_ = departure_->turns_rad;
       } else if (departure_->retract) {
-        if (auto status = reposition({tool_path_.tip_wp_mm[point], tool_path_.axis_wp[point], point,
-                                      tool_path_.cl_line[point]},
-                                     departure_->pair);
-            !status)
-          return status;
+        if (auto status = reposition(place_of(point), departure_->pair); !status) return status;
       } else {
         turn_before_move_ = departure_->pair;
       }
@@ -289,15 +403,18 @@ class Cutting {
     return "retract to reposition " + text + " deg";
   }
 
-  Status reposition(const RetractPlace& place, const RotaryPair& after) {
+  void report_reposition(const RotaryPair& after, std::uint32_t cl_line) {
     const std::string text = reposition_text(after);
-    const std::string line = std::to_string(place.cl_line);
-    frame_.comment(text, place.cl_line);
-    program_.retracts.push_back({place.cl_line, text});
+    frame_.comment(text, cl_line);
+    program_.retracts.push_back({cl_line, text});
     program_.diagnostics.add(
-        {Severity::warning, Code::retract_inserted, place.cl_line,
-         text + " at CL line " + line +
+        {Severity::warning, Code::retract_inserted, cl_line,
+         text + " at CL line " + std::to_string(cl_line) +
              ": no continuous sequence of rotary values stays within the ranges"});
+  }
+
+  Status reposition(const RetractPlace& place, const RotaryPair& after) {
+    report_reposition(after, place.cl_line);
     auto back =
         retract_and_reposition(place, rotary_, after, settings_, check_linear_, maker_, frame_);
     if (!back) return std::move(back).error();
@@ -314,6 +431,7 @@ class Cutting {
   const double slack_rad_;
   const bool check_linear_;
   BlockMaker maker_;
+  const PlainBlock plain_block_;
   const FeedRule feed_rule_;
   Frame& frame_;
   Program& program_;
@@ -336,14 +454,19 @@ Status cut_sequence(const kinematics::Model& model, const JointRanges& ranges,
   const double slack_rad = std::min(std::max(tool_path.axis_rounding_rad, freedom_rad),
                                     0.5 * settings.axis_tolerance_rad);
   const PoleZone zone = pole_zone(model, tool_path.axis_rounding_rad, freedom_rad);
-  auto candidates = find_candidates(model, tool_path, sequence.range, zone, slack_rad);
-  if (!candidates) return std::move(candidates).error();
-  auto axis_path = choose_branches(model, ranges, tool_path, *candidates, settings, gauge_length_mm,
-                                   check_linear);
-  if (!axis_path) return std::move(axis_path).error();
-  const double change_rad = candidates->largest_freedom_rad;
+  double change_rad = 0.0;
+  auto axis_path = plain_choice(model, ranges, tool_path, sequence.range, zone, settings,
+                                gauge_length_mm, check_linear);
+  if (!axis_path) {
+    auto candidates = find_candidates(model, tool_path, sequence.range, zone, slack_rad);
+    if (!candidates) return std::move(candidates).error();
+    auto chosen = choose_branches(model, ranges, tool_path, *candidates, settings, gauge_length_mm,
+                                  check_linear);
+    if (!chosen) return std::move(chosen).error();
+    axis_path = std::move(chosen).value();
+    change_rad = candidates->largest_freedom_rad;
+  }
   program.axis_change_rad = std::max(program.axis_change_rad, change_rad);
-  candidates = Candidates{};  // frees its columns
 
   Settings left = settings;
   left.axis_tolerance_rad -= change_rad;

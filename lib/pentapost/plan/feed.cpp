@@ -50,8 +50,7 @@ Status FeedRule::set(path::Block& block, const Posture& from, const Posture& to,
                    .message = "the cutting move to CL line " + std::to_string(block.cl_line) +
                               " has no feed; a FEDRAT before it is needed",
                    .cl_line = block.cl_line};
-  block.feed_mode = path::Block::Feed::per_minute;
-  block.feed = *feed_mm_min;
+  set_per_minute(block, *feed_mm_min);
   if (const double least = std::pow(10.0, -settings_.feed_decimals); *feed_mm_min < least)
     return Problem{.code = Code::out_of_domain,
                    .message = "the feed of " + number_text(*feed_mm_min) + " mm/min at CL line " +
@@ -62,18 +61,26 @@ Status FeedRule::set(path::Block& block, const Posture& from, const Posture& to,
 
   const double time_min = std::max(length_mm / *feed_mm_min, axis_time_min(from, to));
   if (settings_.inverse_time) {
-    block.feed_mode = path::Block::Feed::inverse_time;
-    block.feed = 1.0 / time_min;
-    if (settings_.largest_inverse_time > 0.0)
-      block.feed = std::min(block.feed, settings_.largest_inverse_time);
+    set_inverse_time(block, time_min);
     return ok();
   }
   // Without inverse time a control takes millimetres and degrees alike along the way of all axes.
   const double linear_mm = (to.linear_mm - from.linear_mm).norm();
   const double first_deg = (to.printed.first_rad - from.printed.first_rad) * deg_per_rad;
   const double second_deg = (to.printed.second_rad - from.printed.second_rad) * deg_per_rad;
-  block.feed = std::hypot(linear_mm, first_deg, second_deg) / time_min;
+  set_per_minute(block, std::hypot(linear_mm, first_deg, second_deg) / time_min);
   return ok();
+}
+
+void FeedRule::set_per_minute(path::Block& block, double feed) const {
+  block.feed_mode = path::Block::Feed::per_minute;
+  block.feed = settings_.largest_feed > 0.0 ? std::min(feed, settings_.largest_feed) : feed;
+}
+
+void FeedRule::set_inverse_time(path::Block& block, double time_min) const {
+  const double largest = settings_.largest_inverse_time;
+  block.feed_mode = path::Block::Feed::inverse_time;
+  block.feed = largest > 0.0 ? std::min(1.0 / time_min, largest) : 1.0 / time_min;
 }
 
 /// The tip stands still: the block takes the time that the limits of the axes need.
@@ -95,16 +102,13 @@ Status FeedRule::set_in_place(path::Block& block, const Posture& from, const Pos
         std::max(time_min, std::hypot(first_rad, second_rad) / settings_.rotary_feed_rad_min);
   }
   if (settings_.inverse_time) {
-    block.feed_mode = path::Block::Feed::inverse_time;
-    block.feed = 1.0 / time_min;
-    if (settings_.largest_inverse_time > 0.0)
-      block.feed = std::min(block.feed, settings_.largest_inverse_time);
+    set_inverse_time(block, time_min);
     return ok();
   }
-  block.feed_mode = path::Block::Feed::per_minute;
   const double linear_mm =
       settings_.output == Output::axes ? (to.linear_mm - from.linear_mm).norm() : 0.0;
-  block.feed = std::hypot(linear_mm, first_rad * deg_per_rad, second_rad * deg_per_rad) / time_min;
+  set_per_minute(
+      block, std::hypot(linear_mm, first_rad * deg_per_rad, second_rad * deg_per_rad) / time_min);
   return ok();
 }
 

@@ -29,6 +29,9 @@ class FeedRule {
 
  private:
   Status set_in_place(path::Block& block, const Posture& from, const Posture& to) const;
+  // No faster than the control can be told.
+  void set_per_minute(path::Block& block, double feed) const;
+  void set_inverse_time(path::Block& block, double time_min) const;
 
   const Settings& settings_;
   std::array<std::optional<double>, 3> linear_mm_s_;

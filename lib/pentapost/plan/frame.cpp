@@ -70,7 +70,7 @@ std::optional<double> Frame::speed_ahead() const {
 
 void Frame::begin_sequence(const Sequence& sequence) {
   take_events(sequence.range.begin);
-  if (!tool_number_) change_tool({.number = sequence.tool_number}, 0);
+  if (!tool_) change_tool({.number = sequence.tool_number}, 0);
   if (!spindle_written_ && spindle_.state != path::Spindle::State::off) {
     act(spindle_);
     spindle_written_ = true;
@@ -78,7 +78,7 @@ void Frame::begin_sequence(const Sequence& sequence) {
 }
 
 void Frame::change_tool(const path::ToolChange& change, std::uint32_t cl_line) {
-  if (tool_number_ == change.number) return;
+  if (tool_ && keeps_tool(*tool_, change)) return;
   leave();
   if (coolant_.state != path::Coolant::State::off) act(path::Coolant{}, cl_line);
   if (spindle_written_ && spindle_.state != path::Spindle::State::off)
@@ -90,7 +90,8 @@ void Frame::change_tool(const path::ToolChange& change, std::uint32_t cl_line) {
       cl_line);
   if (coolant_.state != path::Coolant::State::off) act(coolant_, cl_line);
   spindle_written_ = false;
-  tool_number_ = change.number;
+  tool_ = change;
+  warned_of_spindle_ = false;
 }
 
 void Frame::take_events(std::uint32_t point) {
@@ -100,7 +101,7 @@ void Frame::take_events(std::uint32_t point) {
        ++next_event_) {
     const path::Event& event = tool_path_.events[next_event_];
     // Without a tool change before it, the tool comes first.
-    if (!tool_number_ && !std::holds_alternative<path::ToolChange>(event.what) &&
+    if (!tool_ && !std::holds_alternative<path::ToolChange>(event.what) &&
         !std::holds_alternative<path::Comment>(event.what) &&
         !std::holds_alternative<path::Operation>(event.what)) {
       bool named = false;
@@ -192,26 +193,39 @@ void Frame::position_rotary(const Posture& posture, std::uint32_t point) {
   at_safe_end_ = safe;
 }
 
-void Frame::approach(const Posture& posture, std::uint32_t point, bool by_feed) {
+/// Column of the linear words that moves the tool along its axis in every posture.
+std::optional<std::size_t> Frame::column_along_tool() const {
+  const bool words_are_joints = settings_.output == Output::axes || model_.rotary_count == 0;
+  if (!words_are_joints || model_.head_turns) return std::nullopt;
+  const Mat3 directions =
+      model_.linear_columns[0] + model_.linear_columns[1] + model_.linear_columns[2];
+  for (std::size_t i = 0; i < 3; ++i)
+    if (directions.col(static_cast<Eigen::Index>(i)).cross(model_.t).norm() <= 1e-9) return i;
+  return std::nullopt;
+}
+
+void Frame::approach(const Posture& posture, const std::optional<Posture>& above,
+                     std::uint32_t point, bool by_feed) {
   position_rotary(posture, point);
   tcp_on();
-  // Where the tool axis is a linear axis of the machine, the tool goes down on it alone.
-  const bool words_are_joints = settings_.output == Output::axes || model_.rotary_count == 0;
-  if (words_are_joints && !model_.head_turns) {
-    const Mat3 directions =
-        model_.linear_columns[0] + model_.linear_columns[1] + model_.linear_columns[2];
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (directions.col(static_cast<Eigen::Index>(i)).cross(model_.t).norm() > 1e-9) continue;
-      Block& across = add_block(posture, point, Block::Kind::rapid);
-      across.stated = static_cast<std::uint8_t>(0x07U & ~(1U << i));
-      across.on_path = false;
-    }
+  // The tool comes down along its axis: on a linear axis of the machine alone where there is one.
+  const std::optional<std::size_t> along = column_along_tool();
+  if (along || above) {
+    Block& before = add_block(along ? posture : *above, point, Block::Kind::rapid);
+    if (along) before.stated = static_cast<std::uint8_t>(0x07U & ~(1U << *along));
+    before.on_path = false;
   }
   Block& block = add_block(posture, point, by_feed ? Block::Kind::line : Block::Kind::rapid);
   if (by_feed) {
     block.feed_mode = Block::Feed::per_minute;
     block.feed = *feed_mm_min_;
   }
+}
+
+bool Frame::spindle_is_missing() {
+  if (warned_of_spindle_ || spindle_.state != path::Spindle::State::off) return false;
+  warned_of_spindle_ = true;
+  return true;
 }
 
 void Frame::finish() {

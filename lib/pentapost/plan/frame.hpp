@@ -24,8 +24,12 @@ class Frame {
   /// Tool change and all other events before the first point of a sequence.
   void begin_sequence(const Sequence& sequence);
   /// From the safe height to the first point: rotary axes with the tool retracted, then TCP on,
-  /// then the tool to the point.
-  void approach(const Posture& posture, std::uint32_t point, bool by_feed);
+  /// then the tool down along its axis to the point.
+  /// @param above  a posture from which it comes down; nullopt: there is no room for one.
+  void approach(const Posture& posture, const std::optional<Posture>& above, std::uint32_t point,
+                bool by_feed);
+  /// Whether the tool cuts though the CL data never started the spindle for it; true once a tool.
+  bool spindle_is_missing();
   /// Events before the move to `point`.
   void take_events(std::uint32_t point);
   /// Ends TCP and sends the tool to its safe end; what follows has to approach.
@@ -56,6 +60,7 @@ class Frame {
   void take_feed(const path::FeedRate& feed);
   void change_tool(const path::ToolChange& change, std::uint32_t cl_line);
   std::optional<double> speed_ahead() const;
+  std::optional<std::size_t> column_along_tool() const;
 
   const kinematics::Model& model_;
   const path::ToolPath& tool_path_;
@@ -65,9 +70,10 @@ class Frame {
   std::size_t next_event_ = 0;
   bool tcp_ = false;
   bool at_safe_end_ = false;
-  std::optional<int> tool_number_;
+  std::optional<path::ToolChange> tool_;
   path::Spindle spindle_;  ///< as the CL data have it
   bool spindle_written_ = false;
+  bool warned_of_spindle_ = false;
   path::Coolant coolant_;
   std::optional<double> feed_mm_min_;
   std::optional<path::FeedRate> feed_;

@@ -9,12 +9,15 @@
 namespace pentapost::plan {
 namespace {
 
-/// Of a tolerance, what the plan uses: the proof measures to 0.1 percent.
-constexpr double tolerance_share = 0.995;
 /// Halvings of a move before its tolerance counts as out of reach.
 constexpr int largest_depth = 24;
 /// Blocks of one move: far above any real need, so that no input exhausts the memory.
 constexpr std::size_t largest_block_count = 1'000'000;
+
+/// A straight block across more of an arc would be nearer to other parts of the arc than its own.
+constexpr double largest_sweep_rad = pi / 2.0;
+
+double square(double x) { return x * x; }
 
 struct Place {
   double fraction;
@@ -45,7 +48,8 @@ class Division {
 
  private:
   Result<Place> place(double fraction, const RotaryPair& rotary) {
-    auto posture = maker_.posture(segment_.tip_mm(fraction), rotary, cl_line_);
+    const Vec3 tip_mm = segment_.tip_mm(part_.in_place ? part_.fraction_from : fraction);
+    auto posture = maker_.posture(tip_mm, rotary, cl_line_);
     if (!posture) return std::move(posture).error();
     return Place{fraction, rotary, *posture};
   }
@@ -53,9 +57,10 @@ class Division {
   Status divide(const Place& from, const Place& to, int depth) {
     const BlockBound bound = bound_block(model_, settings_, maker_, segment_, from.fraction,
                                          from.posture, to.fraction, to.posture);
-    const double excess =
-        std::max(bound.tip_mm / (tolerance_share * settings_.tip_tolerance_mm),
-                 bound.axis_rad / (tolerance_share * settings_.axis_tolerance_rad));
+    const double excess = std::max(
+        {bound.tip_mm / (tolerance_share * settings_.tip_tolerance_mm),
+         bound.axis_rad / (tolerance_share * settings_.axis_tolerance_rad),
+         square((to.fraction - from.fraction) * segment_.sweep_rad() / largest_sweep_rad)});
     if (excess <= 1.0) {
       ends_.push_back({to.fraction, to.posture});
       if (ends_.size() <= largest_block_count) return ok();

@@ -12,6 +12,9 @@
 
 namespace pentapost::plan {
 
+/// Of a tolerance, what the plan uses: the proof measures to 0.1 percent.
+inline constexpr double tolerance_share = 0.995;
+
 /// Where a block of a move ends.
 struct Waypoint {
   double fraction = 1.0;  ///< of the whole CL move

@@ -19,6 +19,7 @@ struct MovePart {
   int branch = 0;
   double fraction_from = 0.0, fraction_to = 1.0;  ///< of the whole CL move
   RotaryPair from, to;
+  bool in_place = false;  ///< the tool stands still; the fractions only keep the order
 };
 
 /// Rotary values inside a part of a move.

@@ -35,6 +35,15 @@ Result<double> clearance_mm(const RetractPlace& place, const RotaryPair& before,
 
 }  // namespace
 
+std::optional<Posture> posture_above(const RetractPlace& place, const RotaryPair& rotary,
+                                     double distance_mm, BlockMaker& maker) {
+  for (; distance_mm >= least_clearance_mm; distance_mm *= 0.5) {
+    auto above = maker.posture(place.tip_mm + distance_mm * place.axis, rotary, place.cl_line);
+    if (above) return *std::move(above);
+  }
+  return std::nullopt;
+}
+
 Result<Posture> retract_and_reposition(const RetractPlace& place, const RotaryPair& before,
                                        const RotaryPair& after, const Settings& settings,
                                        bool check_linear, BlockMaker& maker, Frame& frame) {

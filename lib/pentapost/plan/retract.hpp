@@ -18,6 +18,12 @@ struct RetractPlace {
   std::uint32_t cl_line;
 };
 
+/// The posture above a place from which the tool comes down along its axis; nullopt: the linear
+/// ranges leave no room.
+/// @param distance_mm  wanted; less where the ranges need it.
+std::optional<Posture> posture_above(const RetractPlace& place, const RotaryPair& rotary,
+                                     double distance_mm, BlockMaker& maker);
+
 /// Writes retract, repositioning and plunge: along the tool axis to clearance, TCP off, tool to its
 /// safe end, rotary axes to `after`, TCP on, back above the place, plunge to exactly the place.
 /// @return the posture at the place with the new rotary values; Problem linear_range where there is

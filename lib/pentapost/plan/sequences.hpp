@@ -14,6 +14,9 @@ struct Sequence {
   int tool_number = 1;
 };
 
+/// Whether a tool change leaves the tool in use where it is: the same number and length register.
+bool keeps_tool(const path::ToolChange& in_use, const path::ToolChange& next);
+
 /// Every point belongs to one sequence, in order. A path that names no tool is cut with tool 1.
 std::vector<Sequence> sequences(const path::ToolPath& tool_path);
 

@@ -32,6 +32,7 @@ struct Settings {
   bool arcs_with_tcp = false;       ///< arcs while TCP is on
   bool native_cycles = false;
   int feed_decimals = 0;             ///< of feeds per minute
+  double largest_feed = 0.0;         ///< per minute; 0: no bound
   double rotary_feed_rad_min = 0.0;  ///< for turning in place where no limit gives one; 0: none
   double retract_mm = 100.0;         ///< along the tool axis, where no travel bounds it
   double plunge_feed_mm_min = 0.0;   ///< 0: the feed that is active

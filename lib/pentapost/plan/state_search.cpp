@@ -1,6 +1,7 @@
 #include "pentapost/plan/state_search.hpp"
 
 #include "pentapost/kinematics/inverse.hpp"
+#include "pentapost/plan/choice_costs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +12,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double turn_rad = 2.0 * pi;
-// Costs in seconds, each far above all that the one below it can add up to.
-constexpr double retract_in_cut_s = 2e6;
-constexpr double retract_in_air_s = 1e6;
-constexpr double inside_move_s = 1e3;  ///< a cut inside a move rather than at a point
-constexpr double wrong_tilt_s = 1e4;
-constexpr double outside_window_s = 1e3;  ///< a turn
 /// Openings from which the two branches are one: both ends of the triangle.
 constexpr double merged_rad = 1e-7;
 
@@ -52,6 +47,10 @@ Result<AxisPath> StateSearch::run() {
     linear_before_ = linear_;
   }
   if (off_pole_.empty()) return path_at_pole();
+  if (before + 1 < candidates_.range.end) {
+    end_at_pole(before);
+    if (!any_reached()) return out_of_range(before);
+  }
   return trace_back();
 }
 
@@ -70,8 +69,10 @@ RotaryPair StateSearch::pair_of(std::size_t state, const Reached& reached,
           candidates_.second_of(model_, point, branch) + turn_rad * reached.second_turns};
 }
 
-Reached StateSearch::with_turns(std::size_t state, double cost_s) const {
-  return {cost_s, space_.states[state].first_turns, space_.states[state].second_turns};
+Reached StateSearch::with_turns(std::size_t state, std::uint32_t point, double cost_s) const {
+  const State& taken = space_.states[state];
+  return {cost_s, space_.first_turns(taken, candidates_.first_of(point, taken.branch)),
+          taken.second_turns};
 }
 
 void StateSearch::look_at(std::uint32_t point) {
@@ -93,24 +94,45 @@ void StateSearch::look_at(std::uint32_t point) {
 
 bool StateSearch::admissible(std::size_t state, const Reached& reached, std::uint32_t point) const {
   if (!linear_ok_[static_cast<std::size_t>(space_.states[state].branch)]) return false;
-  const RotaryPair pair = pair_of(state, reached, point);
+  return in_rotary_ranges(pair_of(state, reached, point));
+}
+
+bool StateSearch::in_rotary_ranges(const RotaryPair& pair) const {
   return in_range(ranges_.rotary_rad[0], pair.first_rad) &&
          in_range(ranges_.rotary_rad[1], pair.second_rad);
 }
 
 void StateSearch::begin(std::uint32_t point) {
+  std::optional<PolePassage> from_pole;
+  if (point > candidates_.range.begin)
+    from_pole.emplace(model_, tool_path_, candidates_, std::nullopt, point);
   from_.resize(reached_.size());
   for (std::size_t state = 0; state < reached_.size(); ++state) {
     from_[state] = static_cast<std::uint8_t>(state);
-    reached_[state] = started(state, point);
-    if (!admissible(state, reached_[state], point)) reached_[state].cost_s = infinite;
+    Reached& start = reached_[state];
+    start = started(state, point);
+    const RotaryPair pair = pair_of(state, start, point);
+    const int branch = space_.states[state].branch;
+    if (!admissible(state, start, point) ||
+        (from_pole && !in_rotary_ranges(from_pole->pair_out(pair, branch))))
+      start.cost_s = infinite;
   }
   push_back_row();
 }
 
+void StateSearch::end_at_pole(std::uint32_t before) {
+  const PolePassage to_pole{model_, tool_path_, candidates_, before, std::nullopt};
+  for (std::size_t state = 0; state < reached_.size(); ++state) {
+    if (reached_[state].cost_s == infinite) continue;
+    const RotaryPair pair = pair_of(state, reached_[state], before);
+    if (!in_rotary_ranges(to_pole.pair_in(pair, space_.states[state].branch)))
+      reached_[state].cost_s = infinite;
+  }
+}
+
 Reached StateSearch::started(std::size_t state, std::uint32_t point) const {
   const auto window = start_window_rad(settings_.preferences);
-  Reached start = with_turns(state, 0.0);
+  Reached start = with_turns(state, point, 0.0);
   RotaryPair pair = pair_of(state, start, point);
   if (space_.first_endless) {
     const double moved_rad = moved_to_window_rad(pair.first_rad, window);
@@ -191,7 +213,8 @@ void StateSearch::take_over_inside(std::uint32_t before, std::uint32_t point,
       const State &left = space_.states[from], &taken = space_.states[to];
       if (taken.branch != left.branch || taken.second_turns != left.second_turns || from == to)
         continue;
-      Reached there = with_turns(to, reached_[from].cost_s + retract_in_cut_s + inside_move_s);
+      Reached there =
+          with_turns(to, point, reached_[from].cost_s + retract_in_cut_s + inside_move_s);
       there.second_turns = reached_[from].second_turns;
       if (there.cost_s >= next[to].cost_s || !admissible(to, there, point)) continue;
       // Both must be within range at the same place on the way: the limit that `from` meets.
@@ -217,9 +240,11 @@ void StateSearch::pass_pole(std::uint32_t before, std::uint32_t point) {
       if (reached_[from].cost_s == infinite) continue;
       const RotaryPair in =
           passage.pair_in(pair_of(from, reached_[from], before), space_.states[from].branch);
-      Reached there = with_turns(to, 0.0);
+      Reached there = with_turns(to, point, 0.0);
       const RotaryPair out = near_endless(to, there, passage, point, in);
-      if (std::abs(out.second_rad - in.second_rad) > merged_rad) continue;
+      if (std::abs(out.second_rad - in.second_rad) > merged_rad || !in_rotary_ranges(in) ||
+          !in_rotary_ranges(out))
+        continue;
       there.cost_s = reached_[from].cost_s + passage.turn_cost_s(in, out, speeds_.rotary_rad_s[0]);
       if (there.cost_s >= next_[to].cost_s || !admissible(to, there, point)) continue;
       next_[to] = there;
@@ -255,7 +280,7 @@ void StateSearch::turn_about(std::uint32_t point) {
   const double cost_s = reached_[best].cost_s + retract_in_air_s;
   for (std::size_t state = 0; state < reached_.size(); ++state) {
     from_[state] = static_cast<std::uint8_t>(best);
-    reached_[state] = with_turns(state, cost_s);
+    reached_[state] = with_turns(state, point, cost_s);
     if (!admissible(state, reached_[state], point)) reached_[state].cost_s = infinite;
   }
   push_back_row();
@@ -274,7 +299,7 @@ void StateSearch::reposition(std::uint32_t point) {
   const double base_s = reached_[best].cost_s;
   for (std::size_t state = 0; state < reached_.size(); ++state) {
     if (state == best) continue;
-    Reached there = with_turns(state, 0.0);
+    Reached there = with_turns(state, point, 0.0);
     RotaryPair to = pair_of(state, there, point);
     if (space_.first_endless) {
       const double turns = std::round((from.first_rad - to.first_rad) / turn_rad);

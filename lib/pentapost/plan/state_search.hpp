@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace pentapost::plan {
@@ -38,12 +39,15 @@ class StateSearch {
   std::uint8_t pole_of(std::uint32_t point) const;
   Vec3 tip_table(std::uint32_t point) const;
   RotaryPair pair_of(std::size_t state, const Reached& reached, std::uint32_t point) const;
-  Reached with_turns(std::size_t state, double cost_s) const;
+  Reached with_turns(std::size_t state, std::uint32_t point, double cost_s) const;
   /// Linear values of both branches at a point, and whether their ranges hold.
   void look_at(std::uint32_t point);
   bool admissible(std::size_t state, const Reached& reached, std::uint32_t point) const;
+  bool in_rotary_ranges(const RotaryPair& pair) const;
   /// A cutting sequence starts: here the preferences decide.
   void begin(std::uint32_t point);
+  /// Drops the states that cannot follow the path from its last point off the pole to the pole.
+  void end_at_pole(std::uint32_t before);
   /// A state at the first point off the pole, by the preferences.
   Reached started(std::size_t state, std::uint32_t point) const;
   Status go_on(std::uint32_t before, std::uint32_t point);

@@ -9,8 +9,12 @@ namespace {
 
 /// Rounding that a range or a window forgives; far below the digits any control reads.
 constexpr double forgiven_rad = 1e-7;
-/// Rows of turns kept where the whole path fits into several.
+/// Turns followed where the whole path fits into several.
 constexpr int kept_turns = 3;
+/// Remainders followed where it does not.
+constexpr int kept_remainders = 12;
+/// Ranges beyond this are endless in all but name.
+constexpr double largest_turns = 1e6;
 constexpr double turn_rad = 2.0 * pi;
 
 struct Span {
@@ -22,31 +26,45 @@ struct Span {
   }
 };
 
-/// Whole turns with which `span` and `range` have something in common.
-std::vector<int> possible_turns(const Span& span, const Range<double>& range, double wanted_turns) {
-  const int lowest =
-      static_cast<int>(std::ceil((range.lower - forgiven_rad - span.upper) / turn_rad));
-  const int highest =
-      static_cast<int>(std::floor((range.upper + forgiven_rad - span.lower) / turn_rad));
-  std::vector<int> turns, whole;
-  for (int i = lowest; i <= highest; ++i) {
-    turns.push_back(i);
-    if (in_range(range, span.lower + i * turn_rad) && in_range(range, span.upper + i * turn_rad))
-      whole.push_back(i);
-  }
-  const auto nearer = [&](int x, int y) {
-    return std::abs(x - wanted_turns) < std::abs(y - wanted_turns);
-  };
-  if (whole.size() > kept_turns) {
-    std::stable_sort(whole.begin(), whole.end(), nearer);
-    whole.resize(kept_turns);
-    return whole;
-  }
-  constexpr std::size_t bound = StateSpace::largest_state_count / 4;
-  if (turns.size() > bound) {
-    std::stable_sort(turns.begin(), turns.end(), nearer);
-    turns.resize(bound);
-  }
+/// Whole turns with which `span` and `range` have something in common, or all of `span` lies in it.
+struct Turns {
+  double lowest, highest;
+};
+Turns common_turns(const Span& span, const Range<double>& range) {
+  return {std::ceil((range.lower - forgiven_rad - span.upper) / turn_rad),
+          std::floor((range.upper + forgiven_rad - span.lower) / turn_rad)};
+}
+Turns whole_turns(const Span& span, const Range<double>& range) {
+  return {std::ceil((range.lower - forgiven_rad - span.lower) / turn_rad),
+          std::floor((range.upper + forgiven_rad - span.upper) / turn_rad)};
+}
+
+/// At most `kept_turns` of them, those nearest to `wanted`.
+std::vector<int> nearest_turns(const Turns& turns, double wanted) {
+  const double lowest = std::clamp(wanted - kept_turns / 2, turns.lowest,
+                                   std::max(turns.lowest, turns.highest - (kept_turns - 1)));
+  std::vector<int> nearest;
+  for (double turn = lowest; turn <= turns.highest && nearest.size() < kept_turns; turn += 1.0)
+    nearest.push_back(static_cast<int>(turn));
+  return nearest;
+}
+
+std::vector<int> second_turns_of(const Span& span, const Range<double>& range) {
+  const Turns whole = whole_turns(span, range);
+  const bool fits = whole.highest - whole.lowest + 1.0 >= kept_turns;
+  return nearest_turns(fits ? whole : common_turns(span, range), 0.0);
+}
+
+/// One representative of each remainder that is followed.
+std::vector<int> first_turns_of(const Span& span, const Range<double>& range, int modulus,
+                                double wanted) {
+  const Turns whole = whole_turns(span, range);
+  if (whole.highest - whole.lowest + 1.0 >= kept_turns) return nearest_turns(whole, wanted);
+  // A path that winds beyond the range: in a wide one the turns to go on with are spread over it.
+  const int count = std::min(modulus, kept_remainders);
+  std::vector<int> turns;
+  for (int i = 0; i < count; ++i)
+    turns.push_back(static_cast<int>(wanted) + static_cast<int>(1LL * i * modulus / count));
   return turns;
 }
 
@@ -66,11 +84,24 @@ double moved_to_window_rad(double value_rad, const Range<double>& window_rad) {
   return value_rad + turn_rad * std::ceil((window_rad.lower - forgiven_rad - value_rad) / turn_rad);
 }
 
+int StateSpace::first_turns(const State& state, double value_rad) const {
+  if (first_endless) return state.first_turns;
+  const double from_centre = (first_centre_rad - value_rad) / turn_rad - state.first_turns;
+  return state.first_turns +
+         first_modulus * static_cast<int>(std::round(from_centre / first_modulus));
+}
+
 StateSpace state_space(const kinematics::Model& model, const JointRanges& ranges,
                        const Candidates& candidates, const machine::Preferences& preferences) {
   StateSpace space;
   space.first_endless = !ranges.rotary_rad[0] || model.rotary_count < 1;
   space.second_endless = !ranges.rotary_rad[1] || model.rotary_count < 2;
+  if (!space.first_endless) {
+    const Range<double>& range = *ranges.rotary_rad[0];
+    space.first_centre_rad = 0.5 * (range.lower + range.upper);
+    space.first_modulus = static_cast<int>(
+        std::min(largest_turns, std::floor((range.upper - range.lower) / turn_rad) + 2.0));
+  }
   const auto window = start_window_rad(preferences);
   for (int branch = 0; branch < candidates.branches; ++branch) {
     Span first, second;
@@ -85,10 +116,11 @@ StateSpace state_space(const kinematics::Model& model, const JointRanges& ranges
     }
     if (std::isnan(start_turns)) continue;
     const std::vector<int> none{0};
-    const auto first_turns =
-        space.first_endless ? none : possible_turns(first, *ranges.rotary_rad[0], start_turns);
+    const auto first_turns = space.first_endless ? none
+                                                 : first_turns_of(first, *ranges.rotary_rad[0],
+                                                                  space.first_modulus, start_turns);
     const auto second_turns =
-        space.second_endless ? none : possible_turns(second, *ranges.rotary_rad[1], 0.0);
+        space.second_endless ? none : second_turns_of(second, *ranges.rotary_rad[1]);
     for (const int second_turn : second_turns)
       for (const int first_turn : first_turns)
         if (space.states.size() < StateSpace::largest_state_count)

@@ -9,7 +9,9 @@
 namespace pentapost::plan {
 
 /// One way to be at a point: a branch and whole turns of both rotary axes. On an endless axis the
-/// turns follow the path instead of telling states apart.
+/// turns follow the path instead of telling states apart. On the other first axes they are known up
+/// to a multiple of StateSpace::first_modulus, and only one of these can be within the range: so
+/// few states serve a path that winds without end.
 struct State {
   int branch = 0;
   int first_turns = 0;
@@ -22,6 +24,11 @@ struct StateSpace {
   std::vector<State> states;
   bool first_endless = true;
   bool second_endless = true;
+  int first_modulus = 1;
+  double first_centre_rad = 0.0;  ///< middle of the range of the first axis
+
+  /// The turns of a state where its branch has this value of the first axis.
+  int first_turns(const State& state, double value_rad) const;
 };
 
 StateSpace state_space(const kinematics::Model& model, const JointRanges& ranges,

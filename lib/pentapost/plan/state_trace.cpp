@@ -69,17 +69,17 @@ AxisPath StateSearch::trace_back() {
         const PolePassage passage{model_, tool_path_, candidates_, before, point};
         const RotaryPair in =
             passage.pair_in(pair_of(left, turns, before), space_.states[left].branch);
-        Reached there = with_turns(chosen[row].arrival, 0.0);
+        Reached there = with_turns(chosen[row].arrival, point, 0.0);
         const RotaryPair out = near_endless(chosen[row].arrival, there, passage, point, in);
         passage.write(in, out, space_.states[left].branch, state.branch, path);
         turns = there;
       } else if (chosen[row].inside) {
-        const Reached there = with_turns(chosen[row].arrival, 0.0);
+        const Reached there = with_turns(chosen[row].arrival, point, 0.0);
         path.departures.push_back(
             {before, {}, true, true, turn_rad * (there.first_turns - turns.first_turns)});
         turns.first_turns = there.first_turns;
       } else if (link == Link::broken) {
-        turns = with_turns(chosen[row].arrival, 0.0);
+        turns = with_turns(chosen[row].arrival, point, 0.0);
         // The repositioning belongs to the point before, with the values of the branch there.
         path.departures.push_back({before, pair_of(chosen[row].arrival, turns, point), true});
       }
@@ -88,7 +88,7 @@ AxisPath StateSearch::trace_back() {
     path.branch[point - begin] = static_cast<std::uint8_t>(state.branch);
     if (chosen[row].departure != chosen[row].arrival) {
       const RotaryPair from = path.arrival[point - begin];
-      Reached there = with_turns(chosen[row].departure, 0.0);
+      Reached there = with_turns(chosen[row].departure, point, 0.0);
       RotaryPair to = pair_of(chosen[row].departure, there, point);
       if (space_.first_endless) {
         there.first_turns +=

@@ -148,7 +148,8 @@ double Search::fraction_slack(const Share& share, double curve_acceleration_mm) 
                                0.5 * speed_mm;
     if (!(distance_mm > 0.0)) return 1.0;
     const double speed = speed_mm / distance_mm;
-    acceleration = (curve_acceleration_mm / distance_mm + 2.0 * speed * speed) / move_.sweep_rad();
+    // The projection weighs angle and height; the height's share is bounded by the term above.
+    acceleration += (curve_acceleration_mm / distance_mm + 2.0 * speed * speed) / move_.sweep_rad();
   }
   double slack = acceleration / 8.0;
   if (share.from.piece != share.to.piece) {

@@ -5,7 +5,10 @@
 namespace pentapost::verify {
 
 bool ClState::advance_to(std::uint32_t point) {
-  if (point != point_) arc_ = nullptr;
+  if (point != point_) {
+    arc_ = nullptr;
+    starts_anew_ = false;
+  }
   point_ = point;
   const auto& events = tool_path_->events;
   if (next_event_ == events.size() || events[next_event_].before_point > point) return false;
@@ -23,8 +26,13 @@ void ClState::take(const path::Event& event) {
     if (spindle->speed_rpm) speed_rpm_ = spindle->speed_rpm;
     has_new_setting_ = true;
   } else if (const auto* change = std::get_if<path::ToolChange>(&event.what)) {
+    if (tool_ != change->number) starts_anew_ = starts_anew_ || event.before_point == point_;
+    if (tool_ != change->number || change->length_register)
+      length_register_ = change->length_register;
     tool_ = change->number;
     has_new_setting_ = true;
+  } else if (std::holds_alternative<path::GoHome>(event.what)) {
+    starts_anew_ = starts_anew_ || event.before_point == point_;
   } else if (const auto* arc = std::get_if<path::Arc>(&event.what)) {
     arc_ = event.before_point == point_ ? arc : nullptr;
   } else if (const auto* cycle = std::get_if<path::CycleStart>(&event.what)) {

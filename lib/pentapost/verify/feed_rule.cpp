@@ -11,6 +11,7 @@ constexpr double feed_rounding = 1e-6;  ///< relative
 /// Half of the last digit of F in a tapping cycle, whose pitch wants the nearest feed.
 constexpr double tapping_rounding_mm_min = 0.0005;
 constexpr double speed_rounding_rpm = 0.5;
+constexpr int tool_of_silent_path = 1;
 
 bool is_usable(double feed) { return std::isfinite(feed) && feed > 0.0; }
 
@@ -66,7 +67,6 @@ std::string wrong_hole_feed(const nc::ReadMotion& motion, const ClState& cl) {
 
 std::string wrong_setting(const ClState& cl, const std::optional<int>& tool,
                           const nc::ReadSpindle& spindle) {
-  constexpr int tool_of_silent_path = 1;
   const bool tool_is_right = cl.tool() ? tool == cl.tool() : !tool || tool == tool_of_silent_path;
   if (!tool_is_right)
     return "the tool is " + (tool ? std::to_string(*tool) : std::string{"none"}) +
@@ -80,6 +80,15 @@ std::string wrong_setting(const ClState& cl, const std::optional<int>& tool,
     return "the spindle turns at " + number_text(spindle.speed_rpm) + " rpm, expected are " +
            number_text(*cl.speed_rpm()) + " rpm";
   return {};
+}
+
+std::string wrong_length_register(const ClState& cl, const nc::ReadMotion& motion) {
+  if (motion.length_register == 0) return {};
+  const int tool = cl.tool().value_or(tool_of_silent_path);
+  const int expected = cl.length_register().value_or(tool);
+  if (motion.length_register == expected) return {};
+  return "the length register is " + std::to_string(motion.length_register) + ", expected is " +
+         std::to_string(expected) + " of tool " + std::to_string(tool);
 }
 
 }  // namespace pentapost::verify

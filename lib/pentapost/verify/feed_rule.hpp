@@ -29,4 +29,8 @@ std::string wrong_hole_feed(const nc::ReadMotion& motion, const ClState& cl);
 std::string wrong_setting(const ClState& cl, const std::optional<int>& tool,
                           const nc::ReadSpindle& spindle);
 
+/// What is wrong with the length register of a block, which must be that of the CL data's tool or
+/// bear its number; empty: nothing, or the control takes the tool's own.
+std::string wrong_length_register(const ClState& cl, const nc::ReadMotion& motion);
+
 }  // namespace pentapost::verify

@@ -11,6 +11,31 @@ namespace {
 /// Controls take dwells in ms.
 constexpr double dwell_rounding_s = 0.0006;
 
+using Kind = path::CycleStart::Kind;
+using Hole = nc::ReadMotion::Hole;
+
+Hole hole_of(const path::CycleStart& cycle) {
+  switch (cycle.kind) {
+    case Kind::drill:
+    case Kind::face:
+      return Hole::drill;
+    case Kind::deep:
+      return cycle.peck_mm ? Hole::deep : Hole::drill;
+    case Kind::break_chip:
+      return cycle.peck_mm ? Hole::break_chip : Hole::drill;
+    case Kind::tap:
+      return Hole::tap;
+    case Kind::tap_left:
+      return Hole::tap_left;
+    case Kind::bore:
+    case Kind::ream:
+      return Hole::feed_out;
+    case Kind::bore_drag:
+      return Hole::spindle_stop;
+  }
+  return Hole::other;
+}
+
 }  // namespace
 
 HoleLevels hole_levels(const path::CycleStart& cycle, const Vec3& reference_mm, const Vec3& axis) {
@@ -29,7 +54,8 @@ Deviation hole_deviation(const HoleLevels& expected, const Vec3& axis, const Sto
 
 std::string wrong_cycle_data(const nc::ReadMotion& motion, const path::CycleStart& cycle,
                              double length_rounding_mm) {
-  using Kind = path::CycleStart::Kind;
+  if (motion.hole != hole_of(cycle))
+    return "the cycle " + std::string{motion.cycle} + " is not the one of the CL data";
   const bool pecks = cycle.kind == Kind::deep || cycle.kind == Kind::break_chip;
   const double peck_mm = pecks ? cycle.peck_mm.value_or(0.0) : 0.0;
   if (!(std::abs(motion.peck_mm - peck_mm) <= length_rounding_mm))

@@ -56,6 +56,7 @@ Status Replay::take(const nc::ReadItem& item) {
                             [this](const nc::ReadTool& tool) {
                               leave_by_machine_words(AxisColumns::linear);
                               tool_ = tool.number;
+                              length_register_ = 0;
                               settings_are_new_ = true;
                               return true;
                             },
@@ -99,7 +100,7 @@ bool Replay::take_motion(const nc::ReadMotion& motion) {
   }
   const path::Block& block = blocks[proof_.blocks_read++];
   cl_line_ = block.point < claim_.tool_path.size() ? claim_.tool_path.cl_line[block.point] : 0;
-  if (!is_sane(motion) || !keeps_datum(motion)) return false;
+  if (!is_sane(motion) || !keeps_datum(motion) || !keeps_length_register(motion)) return false;
   // The place where the path is left is the one before this block.
   if (!block.on_path) leave_path();
   position_.go(motion, gauge_length_mm());
@@ -125,6 +126,15 @@ bool Replay::keeps_datum(const nc::ReadMotion& motion) {
   }
   if (motion.work_offset == *work_offset_ && motion.datum_shift == datum_shift_) return true;
   return fail("the work offset or datum shift changes within the program");
+}
+
+/// Blocks off the path are held against the CL data by the next one on it.
+bool Replay::keeps_length_register(const nc::ReadMotion& motion) {
+  if (motion.length_register == 0) return true;
+  if (length_register_ == 0) length_register_ = motion.length_register;
+  if (motion.length_register == length_register_) return true;
+  return fail("the length register changes from " + std::to_string(length_register_) + " to " +
+              std::to_string(motion.length_register) + " without a tool call");
 }
 
 void Replay::widen(std::size_t column, double word) {

@@ -36,6 +36,7 @@ class Replay {
   bool take_motion(const nc::ReadMotion& motion);
   bool is_sane(const nc::ReadMotion& motion);
   bool keeps_datum(const nc::ReadMotion& motion);
+  bool keeps_length_register(const nc::ReadMotion& motion);
   void leave_by_machine_words(std::uint8_t columns);
   void count_spans(const nc::ReadMotion& motion);
   void widen(std::size_t column, double word);
@@ -85,6 +86,7 @@ class Replay {
   std::uint8_t spanned_ = 0;  ///< columns whose span has begun
   std::optional<int> tool_;
   nc::ReadSpindle spindle_;
+  int length_register_ = 0;  ///< since the tool was called; 0: none yet
   std::optional<int> work_offset_;
   Words datum_shift_{};
 

@@ -84,6 +84,8 @@ bool Replay::needs_place(const Stop& stop, const char* which) {
 bool Replay::on_path(const nc::ReadMotion& motion, const Covered& covered) {
   const path::Move move = claim_.tool_path.move[covered.point];
   if (cl_.advance_to(covered.point)) settings_are_new_ = true;
+  if (const std::string wrong = wrong_length_register(cl_, motion); !wrong.empty())
+    return fail(wrong);
   // Without a block of its own the first point is proven as the start of the first cut.
   if (!entered_ && covered.point != 0 &&
       (move != path::Move::feed || claim_.tool_path.move[0] == path::Move::hole))
@@ -95,7 +97,10 @@ bool Replay::on_path(const nc::ReadMotion& motion, const Covered& covered) {
       proven = reach_point(motion, covered);
       break;
     case path::Move::feed:
-      proven = covered.point == 0 ? reach_point(motion, covered) : cut(motion, covered);
+      // From a tool change or from home the tool comes by a way of its own.
+      proven = covered.point == 0 || (cl_.starts_anew() && excursion_.is_active())
+                   ? reach_point(motion, covered)
+                   : cut(motion, covered);
       break;
     case path::Move::hole:
       proven = drill(motion, covered);

@@ -71,8 +71,10 @@ TEST(ExpandCycles, BreaksChipsWithSmallRetracts) {
             "r1 f-2 r-1.75 f-4 r1");
 }
 
-TEST(ExpandCycles, FeedsOutOfReamedAndDraggedHoles) {
-  for (const auto kind : {path::CycleStart::Kind::ream, path::CycleStart::Kind::bore_drag})
+/// As the native cycles do: G85 feeds out, G86 stops the spindle and leaves at rapid rate (FANUC
+/// Series 0i, 30i operator's manuals, canned cycles).
+TEST(ExpandCycles, FeedsOutOfReamedAndBoredHoles) {
+  for (const auto kind : {path::CycleStart::Kind::ream, path::CycleStart::Kind::bore})
     EXPECT_EQ(
         moves_of_hole(expand_cycles(
             one_hole({.kind = kind, .depth_mm = 4, .clearance_mm = 1, .retract_mm = 9}), none)),
@@ -102,9 +104,25 @@ TEST(ExpandCycles, ReversesTheSpindleAtTheBottomOfATap) {
   EXPECT_EQ(events_of<path::FeedRate>(path)[1].value, 1500.0);
 }
 
-TEST(ExpandCycles, StopsTheSpindleToLeaveABore) {
+TEST(ExpandCycles, WarnsOnceACycleOfTapsWithoutCoupledSpindle) {
+  path::ToolPath path = one_hole(
+      {.kind = path::CycleStart::Kind::tap, .depth_mm = 5, .clearance_mm = 2, .pitch_mm = 1.5});
+  path.move[2] = Move::hole;  // behind the end of the cycle: none
+  Diagnostics diagnostics;
+  expand_cycles(path, none, &diagnostics);
+  ASSERT_EQ(diagnostics.list().size(), 1U);
+  EXPECT_EQ(diagnostics.list()[0].code, Code::cycle_expanded);
+  EXPECT_EQ(diagnostics.list()[0].cl_line, 4U);
+
+  Diagnostics of_native;
+  expand_cycles(path, all, &of_native);
+  EXPECT_TRUE(of_native.list().empty());
+}
+
+TEST(ExpandCycles, StopsTheSpindleToDragOutOfABore) {
   const auto spindles = events_of<path::Spindle>(expand_cycles(
-      one_hole({.kind = path::CycleStart::Kind::bore, .depth_mm = 5, .clearance_mm = 2}), none));
+      one_hole({.kind = path::CycleStart::Kind::bore_drag, .depth_mm = 5, .clearance_mm = 2}),
+      none));
   ASSERT_EQ(spindles.size(), 3U);
   EXPECT_EQ(spindles[1].state, path::Spindle::State::off);
   EXPECT_EQ(spindles[2].state, path::Spindle::State::clockwise);

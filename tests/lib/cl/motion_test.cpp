@@ -108,13 +108,20 @@ TEST(ReadMotion, RefusesAGotoWithADecimalCommaAtItsFirstLine) {
 }
 
 TEST(ReadMotion, RefusesDamagedMotions) {
-  for (const char* text : {"GOTO/1,2", "GOTO/1,2,3,4", "GOTO/1,2,X", "GOTO/", "GOTO 1,2,3",
-                           "GODLTA/1,2", "GOFWD/L1,PAST,L2", "FROM/1", "CIRCLE/1,2,3",
-                           "N10 GOTO/1,2,3", "GOTO/1,2,3,4,5,6,7", "TLON,GOFWD/(CIRCLE/1,2,3,4)"}) {
+  for (const char* text :
+       {"GOTO/1,2", "GOTO/1,2,3,4", "GOTO/1,2,X", "GOTO/", "GOTO 1,2,3", "GODLTA/1,2",
+        "GOFWD/L1,PAST,L2", "RETRCT", "PLUNGE/RAPID", "FROM/1", "CIRCLE/1,2,3", "N10 GOTO/1,2,3",
+        "GOTO/1,2,3,4,5,6,7", "TLON,GOFWD/(CIRCLE/1,2,3,4)"}) {
     const auto result = read("GOTO/0,0,0\n" + std::string{text} + "\n");
     EXPECT_EQ(diagnostic_of(result, Code::damaged_motion).severity, Severity::error) << text;
     EXPECT_EQ(diagnostic_of(result, Code::damaged_motion).cl_line, 2U) << text;
   }
+}
+
+TEST(ReadMotion, TakesNoModeOfRetractsForAMotion) {
+  const auto result = read("UNITS/MM\nRETRCT/OFF\nGOTO/0,0,0\n");
+  EXPECT_FALSE(result.diagnostics.has_errors());
+  EXPECT_EQ(diagnostic_of(result, Code::ignored_statement).cl_line, 2U);
 }
 
 TEST(ReadMotion, RefusesNumbersThatAreNotFinite) {

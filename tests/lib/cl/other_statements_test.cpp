@@ -65,9 +65,18 @@ TEST(ReadText, IsSilentAboutWhatConcernsOthers) {
 }
 
 TEST(ReadText, WarnsOfWhatWouldChangeThePath) {
-  for (const char* text :
-       {"CUTCOM/LEFT", "ROTABL/1.5707963", "ORIGIN/1,2,3", "TRANS/1,2,3", "PPFUN 3"})
+  for (const char* text : {"CUTCOM/LEFT", "ROTABL/0.", "ORIGIN/0,0,0", "TRACUT/NOMORE",
+                           "TRACUT/1,0,0,0,0,1,0,0,0,0,1,0", "PPFUN 3"})
     EXPECT_TRUE(has(read(std::string{text} + "\n" + point), Code::ignored_statement)) << text;
+}
+
+TEST(ReadText, RefusesWhatMovesTheFrameOfThePoints) {
+  for (const char* text : {"ROTABL/1.5707963", "ROTABL/45,CLW", "ROTHED/30", "ORIGIN/1,2,3",
+                           "TRANS/1,2,3", "TRACUT/MX1", "TRACUT/1,0,0,5,0,1,0,0,0,0,1,0"}) {
+    const auto result = read("UNITS/MM\n" + std::string{text} + "\n" + point);
+    EXPECT_TRUE(has(result, Code::damaged_motion)) << text;
+    EXPECT_EQ(diagnostic_of(result, Code::damaged_motion).cl_line, 2U) << text;
+  }
 }
 
 TEST(ReadText, NamesOperations) {

@@ -79,6 +79,25 @@ TEST(Fanuc30iReaderCycles, AHoleMayTurnTheTable) {
   EXPECT_EQ(last_motion("G81 X1. Z-1. R2.\nC90.").position[4], 90.0);
 }
 
+/// FANUC Series 30i operator's manual, canned cycles for drilling, table of their operations; the
+/// same in every milling control of the make.
+TEST(Fanuc30iReaderCycles, TellsWhatEachCycleDoes) {
+  using Hole = nc::ReadMotion::Hole;
+  for (const auto& [word, hole] : {std::pair{"G81", Hole::drill},
+                                   {"G82", Hole::drill},
+                                   {"G83", Hole::deep},
+                                   {"G73", Hole::break_chip},
+                                   {"G84", Hole::tap},
+                                   {"G74", Hole::tap_left},
+                                   {"G85", Hole::feed_out},
+                                   {"G89", Hole::feed_out},
+                                   {"G86", Hole::spindle_stop},
+                                   {"G88", Hole::other}}) {
+    const auto motion = sample::last_motion(std::string{word} + " X1. Y2. Z-3. R2. Q1.");
+    EXPECT_EQ(motion.hole, hole) << word;
+  }
+}
+
 TEST(Fanuc30iReaderCycles, RefusesCyclesThatItCannotFollow) {
   expect_refused("G81 X1. Z-1.", "R and Z", Code::bad_cycle);
   expect_refused("G83 X1. Z-1. R2.", "Q", Code::bad_cycle);

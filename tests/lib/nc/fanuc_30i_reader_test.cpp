@@ -88,7 +88,8 @@ TEST(Fanuc30iReader, AFeedOfRotaryAxesAloneIsDegreesInInchModeToo) {
   EXPECT_EQ(read.motions().at(0).feed, 100.0);
 }
 
-// Operator's manual, G93: every block needs F, and F without a point counts 0.001/min.
+// Operator's manual B-62764EN, 5. Feed functions, G93: every block needs F; F1 is 0.001/min and
+// F1.0 is 1/min; in an arc F is the feed over the radius, so the reader takes none.
 TEST(Fanuc30iReader, InverseTimeFeedHoldsForItsBlockOnly) {
   const auto motion = last_motion("G93 G1 X1. C1. F12.5");
   EXPECT_EQ(motion.feed_mode, Feed::inverse_time);
@@ -129,6 +130,8 @@ TEST(Fanuc30iReader, RefusesWhatRestsOnParametersAtPowerOn) {
   }
 }
 
+// Operator's manual, circular interpolation: I, J, K are incremental from the start point whatever
+// G90 and G91 say.
 TEST(Fanuc30iReader, ArcCentresCountFromTheStart) {
   const auto motion = last_motion("G1 X10. Y0. Z0.\nG3 X0. Y10. I-10. J0.");
   EXPECT_EQ(motion.kind, Kind::arc);
@@ -295,6 +298,7 @@ TEST(Fanuc30iReader, TellsTheSpindle) {
   EXPECT_EQ(spindle[3].state, nc::ReadSpindle::State::counterclockwise);
 }
 
+// Operator's manual, dwell: P in milliseconds without a decimal point, X in seconds.
 TEST(Fanuc30iReader, ADwellIsNoMotion) {
   EXPECT_EQ(motions_of("G4 X1.5\nG4 P500").size(), 0u);
   expect_refused("G4 X1. Y1.", "Y1");

@@ -59,6 +59,7 @@ TEST(Fanuc30iWriter, WritesAWholeProgramWithTcp) {
             "(UNITS MM)\n"
             "(OUTPUT TCP)\n"
             "G90 G94 G17 G21 G49 G40 G80\n"
+            "G54\n"
             "G91 G28 Z0.\n"
             "G90\n"
             "(BALL D8)\n"

@@ -120,6 +120,8 @@ TEST(HeidenhainIsoReader, G90AndG91ActOnTheWordsBehindThem) {
   EXPECT_EQ(motions[3].position[0], 2.0);
 }
 
+// iTNC 530 manual DIN/ISO, "Circle center I, J": absolute coordinates in G90; it holds until
+// another is programmed.
 TEST(HeidenhainIsoReader, ThePoleIsAbsoluteAndStays) {
   const auto motions = motions_of(
       "N40 G01 X+10 Y+0 *\nN50 I+20 J+0 *\nN60 G02 X+20 Y+10 *\nN70 X+30 Y+0 *\nN80 G03 I+25 J+0 "
@@ -179,6 +181,7 @@ TEST(HeidenhainIsoReader, ADatumShiftMovesNothingAndRenamesThePosition) {
   EXPECT_EQ(motions[1].datum_shift[0], 11.0);
 }
 
+// iTNC 530 manual DIN/ISO, dwell time: G04 F in seconds, up to 3600.
 TEST(HeidenhainIsoReader, TheTimeOfADwellIsNoFeed) {
   EXPECT_EQ(last_motion("N40 G04 F5 *\nN50 G01 X+1 *").feed, 200.0);
 }
@@ -252,6 +255,8 @@ TEST(HeidenhainIsoReader, M126IsUnderstoodBelowHalfATurn) {
   EXPECT_EQ(last_motion("N40 M126 *\nN50 M127 *\nN60 G01 C+180 *").position[4], 180.0);
 }
 
+// TNC 620 manual DIN/ISO (34056x-04), 11.4: "Before positioning with M91 or M92 and before a T
+// BLOCK, RESET M128."
 TEST(HeidenhainIsoReader, RefusesWithM128WhatTheManualForbids) {
   expect_refused("N40 M128 *\nN50 G00 Z-1 M91 *", "M128");
   expect_refused("N40 M128 *\nN50 T6 G17 *", "M128");

@@ -106,8 +106,8 @@ bool read_published_block(const std::string& line, std::array<double, 5>& words)
 
 TEST(HeidenhainIsoWriter, RepeatsBothPublishedProgramsWordByWord) {
   for (const std::string name : {"cripps-2017-appendix-1.nc", "cripps-2017-appendix-2.nc"}) {
-    std::ifstream file{std::string{PENTAPOST_SOURCE_DIR} + "/../shared/data/papers/" + name};
-    if (!file) GTEST_SKIP() << "the published programs are not here";
+    std::ifstream file{std::string{PENTAPOST_TESTS_DIR} + "/data/papers/" + name};
+    ASSERT_TRUE(file) << name;
     MotionCase published;
     std::vector<std::string> expected;
     for (std::string line; std::getline(file, line);) {
@@ -220,6 +220,8 @@ TEST(HeidenhainIsoWriter, LeavesOutWordsThatAreNotStated) {
 }
 
 // iTNC 530 ISO programming, "Circle center I, J": N50 I+25 J+25 *, absolute in G90.
+// HEIDENHAIN iTNC 530 user's manual DIN/ISO programming, "Circle center I, J": absolute in G90, in
+// a block of its own before the arc's.
 TEST(HeidenhainIsoWriter, GivesTheCircleCentreAsAnAbsolutePole) {
   const auto motion = MotionCase{"XYZ"}
                           .line({45, 25, -5}, 200.0)
@@ -268,6 +270,13 @@ TEST(HeidenhainIsoWriter, SaysThatItHasNeitherInverseTimeNorCyclesNorHelices) {
   EXPECT_FALSE(abilities->native_cycles);
   EXPECT_FALSE(abilities->helices);
   EXPECT_TRUE(abilities->arcs);
+}
+
+TEST(HeidenhainIsoWriter, WritesArcsWithTcpOnRequestOnly) {
+  const auto* dialect = nc::find_dialect("heidenhain-iso");
+  EXPECT_FALSE(dialect->abilities({})->arcs_with_tcp);
+  EXPECT_TRUE(dialect->abilities({{"arcs_with_tcp", true}})->arcs_with_tcp);
+  EXPECT_FALSE(dialect->abilities({{"arcs_with_tcp", true}, {"arcs", false}})->arcs_with_tcp);
 }
 
 TEST(HeidenhainIsoWriter, HasNoOptionForNativeCycles) {
@@ -361,6 +370,21 @@ TEST(HeidenhainIsoWriter, WritesStopsDwellsAndComments) {
             "N60 G04 F0.001 *\n"
             "N70 ; Flaeche 50 2 *\n"
             "G62 T0.01 *\n");
+}
+
+TEST(HeidenhainIsoWriter, MakesABlockOfInsertedTextThatIsNone) {
+  const auto motion = MotionCase{"XYZ"}
+                          .act(path::InsertedText{"M8"})
+                          .act(path::InsertedText{"N7 M9 *"})
+                          .act(path::Stop{})
+                          .motion;
+
+  EXPECT_EQ(body(motion, {{"start_lines", Lines{}}}),
+            "N10 ; UNITS MM *\n"
+            "N20 ; OUTPUT TCP *\n"
+            "N30 M8 *\n"
+            "N7 M9 *\n"
+            "N40 M00 *\n");
 }
 
 TEST(HeidenhainIsoWriter, StatesTheFeedAgainAfterADwell) {

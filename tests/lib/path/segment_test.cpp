@@ -120,9 +120,18 @@ TEST(Segment, TellsTheTurnsOfAHelixApartByTheFractionNearby) {
   const Arc arc{.centre_wp_mm = {0, 0, 0}, .normal_wp = Vec3::UnitZ(), .sweep_rad = 6 * pi};
   const Segment move{{3, 0, 0}, Vec3::UnitZ(), {3, 0, 3}, Vec3::UnitZ(), &arc};
 
-  EXPECT_NEAR(move.nearest_fraction({0, 3, 0}, 0.1), 1.0 / 12.0, 1e-14);
-  EXPECT_NEAR(move.nearest_fraction({0, 3, 0}, 0.45), 5.0 / 12.0, 1e-14);
-  EXPECT_NEAR(move.nearest_fraction({0, 3, 0}, 0.7), 9.0 / 12.0, 1e-14);
+  EXPECT_NEAR(move.nearest_fraction({0, 3, 0.25}, 0.1), 1.0 / 12.0, 1e-14);
+  EXPECT_NEAR(move.nearest_fraction({0, 3, 1.25}, 0.45), 5.0 / 12.0, 1e-14);
+  EXPECT_NEAR(move.nearest_fraction({0, 3, 2.25}, 0.7), 9.0 / 12.0, 1e-14);
+}
+
+/// A radius of a hundredth on a rise of 10: half a radius beside the helix says little of the
+/// place.
+TEST(Segment, FindsThePlaceOnASteepHelixByTheHeight) {
+  const Arc arc{.centre_wp_mm = {0, 0, 0}, .normal_wp = Vec3::UnitZ(), .sweep_rad = pi};
+  const Segment move{{0.01, 0, 0}, Vec3::UnitZ(), {-0.01, 0, 10}, Vec3::UnitZ(), &arc};
+
+  EXPECT_NEAR(move.nearest_fraction({0.01, 0, 5}, 0.5), 0.5, 1e-5);
 }
 
 TEST(Segment, FindsItsOwnPointsOnRandomArcs) {

@@ -56,5 +56,62 @@ TEST(SettingRule, TakesToolOneForAPathThatNamesNone) {
   EXPECT_NE(wrong_setting(state, 2, {}), "");
 }
 
+nc::ReadMotion motion_with_register(int length_register) {
+  nc::ReadMotion motion;
+  motion.length_register = length_register;
+  return motion;
+}
+
+TEST(LengthRegisterRule, TakesTheToolsNumberWhereTheClDataNamesNone) {
+  path::ToolPath cl;
+  cl.add_event(1, path::ToolChange{.number = 5});
+  ClState state{cl};
+  EXPECT_EQ(wrong_length_register(state, motion_with_register(1)), "");  // before any tool change
+  state.advance_to(0);
+  EXPECT_EQ(wrong_length_register(state, motion_with_register(5)), "");
+  EXPECT_EQ(wrong_length_register(state, motion_with_register(4)),
+            "the length register is 4, expected is 5 of tool 5");
+}
+
+TEST(LengthRegisterRule, TakesTheRegisterThatTheClDataNames) {
+  path::ToolPath cl;
+  cl.add_event(1, path::ToolChange{.number = 5, .length_register = 15});
+  ClState state{cl};
+  state.advance_to(0);
+  EXPECT_EQ(wrong_length_register(state, motion_with_register(15)), "");
+  EXPECT_NE(wrong_length_register(state, motion_with_register(5)), "");
+}
+
+TEST(LengthRegisterRule, KeepsTheRegisterWhereTheSameToolIsNamedAgain) {
+  path::ToolPath cl;
+  cl.add_event(1, path::ToolChange{.number = 5, .length_register = 15});
+  cl.add_event(2, path::ToolChange{.number = 5});
+  cl.add_point(Vec3::Zero(), Vec3::UnitZ(), 3, path::Move::feed);
+  cl.add_event(4, path::ToolChange{.number = 5, .length_register = 25});
+  ClState state{cl};
+  state.advance_to(0);
+  EXPECT_EQ(state.length_register(), 15);
+  state.advance_to(1);
+  EXPECT_EQ(state.length_register(), 25);
+}
+
+TEST(LengthRegisterRule, DoesNotCarryTheRegisterToAnotherTool) {
+  path::ToolPath cl;
+  cl.add_event(1, path::ToolChange{.number = 5, .length_register = 15});
+  cl.add_event(2, path::ToolChange{.number = 6});
+  ClState state{cl};
+  state.advance_to(0);
+  EXPECT_EQ(wrong_length_register(state, motion_with_register(6)), "");
+  EXPECT_NE(wrong_length_register(state, motion_with_register(15)), "");
+}
+
+TEST(LengthRegisterRule, LeavesAControlAloneThatTakesTheToolsOwnLength) {
+  path::ToolPath cl;
+  cl.add_event(1, path::ToolChange{.number = 5, .length_register = 15});
+  ClState state{cl};
+  state.advance_to(0);
+  EXPECT_EQ(wrong_length_register(state, motion_with_register(0)), "");
+}
+
 }  // namespace
 }  // namespace pentapost::verify

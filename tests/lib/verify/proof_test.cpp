@@ -275,6 +275,33 @@ sample::Program with_retract() {
   return program;
 }
 
+sample::Program with_length_register() {
+  sample::Program program = with_retract();
+  program.cl.events.insert(program.cl.events.begin(),
+                           {.before_point = 0,
+                            .cl_line = 1,
+                            .what = path::ToolChange{.number = 5, .length_register = 15}});
+  program.lines.insert(program.lines.begin(), {"T5", "H15"});
+  return program;
+}
+
+TEST(ProofOfTheLengthRegister, PassesTheOneOfTheTool) {
+  EXPECT_EQ(with_length_register().failure(), "");
+}
+
+TEST(ProofOfTheLengthRegister, FailsOnThatOfAnotherToolInARapidToo) {
+  sample::Program program = with_length_register();
+  program.change("H15", "H5");
+  EXPECT_FAILURE(program, "block 1 (CL line 10): the length register is 5, expected is 15");
+}
+
+TEST(ProofOfTheLengthRegister, FailsWhereItChangesOffThePath) {
+  sample::Program program = with_length_register();
+  program.change("G0 A-30 C180", "H5\nG0 A-30 C180");
+  program.change("G1 X10 Y0 Z0", "H15\nG1 X10 Y0 Z0");
+  EXPECT_FAILURE(program, "the length register changes from 15 to 5");
+}
+
 TEST(ProofOffThePath, PassesARetractAndItsPlunge) { EXPECT_EQ(with_retract().failure(), ""); }
 
 TEST(ProofOffThePath, FailsWhereTheCutGoesOnElsewhere) {
@@ -414,8 +441,8 @@ sample::Program with_holes() {
   program.point({30, 0, 10}, Vec3::UnitZ());
   program.line("LEN1");
   program.block("G0 X0 Y0 Z50 A0 C0", 0);
-  program.block("DRILL X10 Y0 Z-20 R2 W10 Q5 P0.5 F200", 1);
-  program.block("DRILL X20 Y0 Z-20 R2 W10 Q5 P0.5", 2);
+  program.block("DRILL X10 Y0 Z-20 R2 W10 Q5 P0.5 K1 F200", 1);
+  program.block("DRILL X20 Y0 Z-20 R2 W10 Q5 P0.5 K1", 2);
   program.block("G1 X30", 3);
   program.line("END");
   return program;
@@ -431,6 +458,7 @@ TEST(ProofOfHoles, FailsOnEveryWrongNumber) {
                                      {"W10", "W2"},
                                      {"Q5", "Q20"},
                                      {"P0.5", "P0"},
+                                     {"K1", "K2"},
                                      {"X10", "X11"},
                                      {"F200", "F201"},
                                      {"LEN1", "LEN0"},

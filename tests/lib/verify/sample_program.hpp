@@ -14,12 +14,13 @@
 /// language of its own, whose reader is below: independent of dialects and of their readers.
 ///
 ///   T2            tool            S3000 / S-3000 / S0   spindle clockwise / counterclockwise / off
-///   TCP1 / TCP0   TCP on / off    LEN1 / LEN0           length offset
+///   TCP1 / TCP0   TCP on / off    LEN1 / LEN0           length offset       H2   length register
 ///   RETRACT       safe retract    END                   end of the program
 ///   G0 X1 Y2 ...                  rapid                 G1 X1 ... F500   line
 ///   G93 X1 ... F12                line, inverse time
 ///   G2 X Y Z I J F, G3 ...        arc; I J: centre, absolute; N: whole turns
-///   DRILL X Y Z R W Q P F         hole: bottom Z, clearance R, retract W, peck Q, dwell P
+///   DRILL X Y Z R W Q P K F       hole: bottom Z, clearance R, retract W, peck Q, dwell P, kind K
+///                                 (number of ReadMotion::Hole)
 namespace pentapost::sample {
 
 /// Where the words of the small language are kept between its lines.
@@ -60,6 +61,10 @@ class SmallReader {
     }
     if (word == "LEN1" || word == "LEN0") {
       motion_.tool_length_offset = word == "LEN1";
+      return ok();
+    }
+    if (word[0] == 'H') {
+      motion_.length_register = static_cast<int>(number);
       return ok();
     }
     if (word[0] == 'T') return send(nc::ReadTool{static_cast<int>(number)});
@@ -110,6 +115,7 @@ class SmallReader {
     if (letter == 'W') motion.retract_z_mm = number;
     if (letter == 'Q') motion.peck_mm = number;
     if (letter == 'P') motion.dwell_s = number;
+    if (letter == 'K') motion.hole = static_cast<nc::ReadMotion::Hole>(static_cast<int>(number));
     if (letter == 'D') motion.datum_shift[0] = number;
     if (letter == 'M') motion.machine_frame = number != 0.0;
   }

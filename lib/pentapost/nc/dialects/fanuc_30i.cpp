@@ -17,7 +17,7 @@ constexpr std::size_t longest_name = 30;
 CommonSettings default_settings() {
   CommonSettings defaults;
   defaults.feed_decimals = 3;
-  defaults.start_lines = {"G90 G94 G17 G21 G49 G40 G80"};
+  defaults.start_lines = {"G90 G94 G17 G21 G49 G40 G80", "G54"};
   defaults.end_lines = {"M30"};
   defaults.safe_retract = {"G91 G28 Z0.", "G90"};
   defaults.tool_change = {"T{tool} M6"};

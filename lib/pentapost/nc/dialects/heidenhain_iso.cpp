@@ -20,6 +20,7 @@ namespace pentapost::nc {
 namespace {
 
 constexpr int whole_digits = 5;  ///< the control counts to 99999 mm and degrees
+constexpr double largest_feed = 99'999.999;
 constexpr double longest_dwell_s = 3600.0;
 constexpr int largest_tool = 32'767;
 constexpr std::size_t comment_width = 60;
@@ -41,7 +42,9 @@ std::vector<OptionRow> all_rows() {
   std::vector<OptionRow> rows = common_rows(default_settings());
   rows.insert(rows.end(),
               {{"closing_number", 99'999'999.0, "number of the last block, 100 to 99999999"},
-               {"program_name_length", 16.0, "most characters of a program name, 1 to 24"}});
+               {"program_name_length", 16.0, "most characters of a program name, 1 to 24"},
+               {"arcs_with_tcp", false,
+                "write arcs while TCP is on; not confirmed by a manual of the control"}});
   return rows;
 }
 
@@ -51,6 +54,7 @@ struct Settings {
   CommonSettings common;
   int closing_number = 0;
   std::size_t program_name_length = 0;
+  bool arcs_with_tcp = false;
 };
 
 Result<Settings> read(const machine::Options& given) {
@@ -58,7 +62,8 @@ Result<Settings> read(const machine::Options& given) {
   Settings settings{
       .common = read_common(reader),
       .closing_number = reader.whole("closing_number", 100, 99'999'999),
-      .program_name_length = static_cast<std::size_t>(reader.whole("program_name_length", 1, 24))};
+      .program_name_length = static_cast<std::size_t>(reader.whole("program_name_length", 1, 24)),
+      .arcs_with_tcp = reader.flag("arcs_with_tcp")};
   if (settings.common.block_numbers.start >= settings.closing_number)
     reader.refuse("block_number_start", "must be below closing_number");
   if (reader.problem()) return *reader.problem();
@@ -69,6 +74,8 @@ Result<Abilities> abilities(const machine::Options& given) {
   const auto settings = read(given);
   if (!settings) return settings.error();
   Abilities can = common_abilities(settings->common);
+  can.largest_feed = largest_feed;
+  can.arcs_with_tcp = can.arcs && settings->arcs_with_tcp;
   can.adds_length_always = true;
   return can;
 }
@@ -111,7 +118,12 @@ class Writer {
     return true;
   }
   bool act(const path::InsertedText& inserted, std::uint32_t) {
-    text_.line(printable_ascii(inserted.text));
+    // A block of this control ends with *; text that has it already is left as it stands.
+    const std::string text = printable_ascii(inserted.text);
+    if (text.ends_with('*'))
+      text_.line(text);
+    else
+      text_.block(text);
     forget();
     return true;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace pentapost::nc::readers {
@@ -29,8 +30,19 @@ struct Decimal {
   bool is_plain_integer() const { return !has_sign && !has_point; }
 };
 
+/// Moves `at` behind the digits there, which continue `mantissa`. @return their count.
+inline std::ptrdiff_t read_digits(const char*& at, const char* end, std::uint64_t& mantissa) {
+  const char* const first = at;
+  for (; at != end; ++at) {
+    const auto digit = static_cast<unsigned>(*at) - static_cast<unsigned>('0');
+    if (digit > 9) break;
+    mantissa = mantissa * 10 + digit;  // what is too long wraps round and is refused
+  }
+  return at - first;
+}
+
 /// Reads a number at `at` and moves `at` behind it.
-/// @return false: no digit there, or more than most_digits; `at` is then inside of the word.
+/// @return false: no digit there, or more than most_digits.
 inline bool read_decimal(const char*& at, const char* end, Decimal& number) {
   number = {};
   if (at != end && (*at == '+' || *at == '-')) {
@@ -38,18 +50,19 @@ inline bool read_decimal(const char*& at, const char* end, Decimal& number) {
     number.negative = *at == '-';
     ++at;
   }
-  for (; at != end; ++at) {
-    const auto digit = static_cast<unsigned>(*at) - static_cast<unsigned>('0');
-    if (digit <= 9) {
-      if (++number.digits > Decimal::most_digits) return false;
-      number.mantissa = number.mantissa * 10 + digit;
-      if (number.has_point) ++number.decimals;
-    } else if (*at == '.' && !number.has_point) {
-      number.has_point = true;
-    } else {
-      break;
-    }
+  const std::ptrdiff_t whole = read_digits(at, end, number.mantissa);
+  std::ptrdiff_t decimals = 0;
+  if (at != end && *at == '.') {
+    number.has_point = true;
+    ++at;
+    decimals = read_digits(at, end, number.mantissa);
   }
+  if (whole > Decimal::most_digits || decimals > Decimal::most_digits - whole) {
+    number.digits = Decimal::most_digits + 1;
+    return false;
+  }
+  number.decimals = static_cast<int>(decimals);
+  number.digits = static_cast<int>(whole + decimals);
   return number.digits > 0;
 }
 

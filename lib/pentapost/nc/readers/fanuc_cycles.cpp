@@ -34,6 +34,29 @@ std::string_view cycle_word(int code) {
   }
 }
 
+ReadMotion::Hole hole_of(int code) {
+  switch (code) {
+    case 810:
+    case 820:
+      return ReadMotion::Hole::drill;
+    case 830:
+      return ReadMotion::Hole::deep;
+    case 730:
+      return ReadMotion::Hole::break_chip;
+    case 840:
+      return ReadMotion::Hole::tap;
+    case 740:
+      return ReadMotion::Hole::tap_left;
+    case 850:
+    case 890:
+      return ReadMotion::Hole::feed_out;
+    case 860:
+      return ReadMotion::Hole::spindle_stop;
+    default:
+      return ReadMotion::Hole::other;
+  }
+}
+
 bool is_pecking(int code) { return code == 730 || code == 830; }
 
 bool dwells(int code) {
@@ -110,6 +133,7 @@ bool Program::hole() {
   motion.retract_z_mm = modes_.return_to_initial ? *cycle_.initial_z : *cycle_.clearance_z;
   if (is_pecking(cycle_.code)) motion.peck_mm = cycle_.peck_mm;
   if (dwells(cycle_.code)) motion.dwell_s = cycle_.dwell_s;
+  motion.hole = hole_of(cycle_.code);
   motion.cycle = cycle_word(cycle_.code);
   ReadMotion along_z;
   along_z.stated = columns_.bit_of('Z');
