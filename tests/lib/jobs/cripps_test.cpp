@@ -47,8 +47,8 @@ TEST(CrippsAppendix, ReorientedPathGivesTheBlocksOfAppendixOne) {
   EXPECT_EQ(found, expected);
 }
 
-/// 1 mm blocks leave the great circle by up to 0.0491 deg next to the pole (kinematics of the path),
-/// by the digits printed a little more or less.
+/// 1 mm blocks leave the great circle by up to 0.0491 deg next to the pole (kinematics of the
+/// path), by the digits printed a little more or less.
 TEST(CrippsAppendix, ProofMeasuresTheDeviationNextToThePole) {
   const auto posted = jobs::post(cripps_job("cripps-2017-original.cl"));
   ASSERT_TRUE(posted) << posted.error().message;

@@ -42,7 +42,8 @@ inline std::vector<std::string> motion_words(const std::string& nc) {
     std::string kept, word;
     bool moves = false;
     while (words >> word) {
-      if (word == "*" || word[0] == 'N' || word == "G01" || word == "G00" || word[0] == 'F') continue;
+      if (word == "*" || word[0] == 'N' || word == "G01" || word == "G00" || word[0] == 'F')
+        continue;
       if (std::string{"XYZABC"}.find(word[0]) == std::string::npos) {
         moves = false;
         kept.clear();

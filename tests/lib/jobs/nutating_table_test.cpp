@@ -35,7 +35,8 @@ TEST(NutatingTable, TheExampleOfThePaperPostsWithItsB) {
   EXPECT_TRUE(posted->verification.passed);
 }
 
-/// As printed: "90,2364093318" makes seven values of the first cutting GOTO, which starts in line 22.
+/// As printed: "90,2364093318" makes seven values of the first cutting GOTO, which starts in
+/// line 22.
 TEST(NutatingTable, TheExampleAsPrintedIsRefusedAtItsFirstDamagedGoto) {
   std::string text = sample::papers_text("my-nutating-table.cl");
   const auto put = [&](const std::string& from, const std::string& to) {

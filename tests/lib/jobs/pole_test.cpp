@@ -23,7 +23,8 @@ std::vector<double> words(const std::string& nc, char letter) {
   std::vector<double> found;
   for (const std::string& block : sample::motion_words(nc)) {
     const auto place = block.find(letter);
-    if (place != std::string::npos) found.push_back(std::strtod(block.c_str() + place + 1, nullptr));
+    if (place != std::string::npos)
+      found.push_back(std::strtod(block.c_str() + place + 1, nullptr));
   }
   return found;
 }
@@ -101,7 +102,8 @@ TEST(Pole, APathThatMissesThePoleTurnsCAndNothingFlips) {
   ASSERT_TRUE(posted) << posted.error().message;
 
   const double end_azimuth_deg =
-      std::atan2(std::sin(0.1 * rad_per_deg), std::sin(5.0 * rad_per_deg) * std::cos(0.1 * rad_per_deg)) *
+      std::atan2(std::sin(0.1 * rad_per_deg),
+                 std::sin(5.0 * rad_per_deg) * std::cos(0.1 * rad_per_deg)) *
       deg_per_rad;
   EXPECT_NEAR(span(words(posted->nc, 'C')), 180.0 - 2.0 * end_azimuth_deg, 0.002);
   for (const double a : words(posted->nc, 'A')) EXPECT_GT(a, 0.0);
@@ -116,18 +118,20 @@ TEST(Pole, APathWhollyAtThePoleKeepsCAtTheStartPreference) {
   for (const double c : words(posted->nc, 'C')) EXPECT_EQ(c, 0.0);
 }
 
-/// The tool leaves the pole in another direction than it came: C turns in the rapid, not in the cut.
+/// The tool leaves the pole in another direction than it came: C turns in the rapid, not in the
+/// cut.
 TEST(Pole, CTurnsInTheAirWhereTheStretchAtThePoleHasAnAirMove) {
-  const std::string path = goto_line(0, 2, 0) + goto_line(1, 0, 0) + goto_line(2, 0, 0) + "RAPID\n" +
-                           goto_line(40, 0, 0) + goto_line(41, 0, 0) + goto_line(42, 2, 60);
+  const std::string path = goto_line(0, 2, 0) + goto_line(1, 0, 0) + goto_line(2, 0, 0) +
+                           "RAPID\n" + goto_line(40, 0, 0) + goto_line(41, 0, 0) +
+                           goto_line(42, 2, 60);
   const auto posted = jobs::post(sample::cl_job("hermle-c600u", sample::cl_program(path)));
   ASSERT_TRUE(posted) << posted.error().message;
 
   const auto c = words(posted->nc, 'C');
   ASSERT_GE(c.size(), 6U);
   const std::size_t n = c.size();
-  EXPECT_EQ(c[n - 6], c[n - 4]);                       // cut at the pole before the rapid
-  EXPECT_EQ(c[n - 3], c[n - 1]);                       // after it
+  EXPECT_EQ(c[n - 6], c[n - 4]);                            // cut at the pole before the rapid
+  EXPECT_EQ(c[n - 3], c[n - 1]);                            // after it
   EXPECT_NEAR(std::abs(c[n - 3] - c[n - 4]), 60.0, 0.002);  // the rapid itself
 }
 

@@ -18,7 +18,7 @@ struct RealFile {
 void PrintTo(const RealFile& file, std::ostream* out) { *out << file.name; }
 
 constexpr RealFile files[] = {
-    {"nx-impeller-ops-inch.cls", true}, {"nx-five-axis-inch.cls", true},
+    {"nx-impeller-ops-inch.cls", true},   {"nx-five-axis-inch.cls", true},
     {"catia-blade-inch.aptsource", true}, {"nx-plane-mm.cls", false},
     {"nx-block-mm.cls", false},           {"creo-drilling.ncl", false},
     {"creo-profile.ncl", false},          {"makino-plane.cldata", false},
@@ -26,10 +26,10 @@ constexpr RealFile files[] = {
 
 /// A machine of each topology.
 constexpr const char* machines[] = {
-    "hermle-c600u",   "dmu-50-evolution", "dmu-70-evo",         "haas-umc-750",
-    "mazak-variaxis-630", "dmu-125p",     "dmu-80p-duoblock",   "dmu-80-monoblock",
-    "huron-kx100",    "makino-mag3",      "linuxcnc-xyzac-trt", "linuxcnc-xyzbc-trt",
-    "linuxcnc-bridgemill", "pocket-nc-v2", "generic-ca-head",   "generic-3axis",
+    "hermle-c600u",        "dmu-50-evolution", "dmu-70-evo",         "haas-umc-750",
+    "mazak-variaxis-630",  "dmu-125p",         "dmu-80p-duoblock",   "dmu-80-monoblock",
+    "huron-kx100",         "makino-mag3",      "linuxcnc-xyzac-trt", "linuxcnc-xyzbc-trt",
+    "linuxcnc-bridgemill", "pocket-nc-v2",     "generic-ca-head",    "generic-3axis",
     "generic-4axis-a"};
 
 class RealFileOnMachines : public ::testing::TestWithParam<RealFile> {};
