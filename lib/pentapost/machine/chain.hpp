@@ -12,7 +12,7 @@
 namespace pentapost::machine {
 
 struct LinearJoint {
-  UnitVector direction;                   ///< base frame, all joints at zero; + moves the carried body along it
+  UnitVector direction;  ///< base frame, all joints at zero; + moves the carried body along it
   std::optional<Range<double>> range_mm;  ///< nullopt: no source gives one
 };
 struct RotaryJoint {
@@ -34,8 +34,10 @@ class Chain {
   /// @param tool_axis  tool tip to spindle, base frame, all joints at zero.
   /// @return Problem chain_shape unless there are 3 linear joints that span space and 0 to 2 rotary
   ///         joints, with sines of the angles between the rotary axes, and between the tool-side
-  ///         one and the tool axis, of at least 1e-6, and names that differ (lib/README.md section 2).
-  static Result<Chain> make(std::vector<Joint> table, std::vector<Joint> head, UnitVector tool_axis);
+  ///         one and the tool axis, of at least 1e-6, and names that differ (lib/README.md section
+  ///         2).
+  static Result<Chain> make(std::vector<Joint> table, std::vector<Joint> head,
+                            UnitVector tool_axis);
 
   std::span<const Joint> table() const noexcept { return table_; }
   std::span<const Joint> head() const noexcept { return head_; }

@@ -22,7 +22,7 @@ struct AxisLimits {
 /// Which of equal solutions a cutting sequence starts with; continuity decides from there.
 struct Preferences {
   enum class Tilt { positive, negative };
-  std::optional<Tilt> tilt = {};               ///< sign of the tool-side rotary axis
+  std::optional<Tilt> tilt = {};                ///< sign of the tool-side rotary axis
   std::optional<Range<Angle>> first_turn = {};  ///< window for the workpiece-side rotary axis
 };
 

@@ -20,8 +20,9 @@ namespace pentapost::nc {
 struct ReadMotion {
   enum class Kind : std::uint8_t { rapid, line, arc, drill };
   enum class Feed : std::uint8_t { none, per_minute, inverse_time };
-  /// What a drilling cycle does: pecks with full retracts (deep) or small ones (break_chip), reverses
-  /// the spindle at the bottom (taps), leaves at feed (feed_out) or with the spindle stopped.
+  /// What a drilling cycle does: pecks with full retracts (deep) or small ones (break_chip),
+  /// reverses the spindle at the bottom (taps), leaves at feed (feed_out) or with the spindle
+  /// stopped.
   enum class Hole : std::uint8_t {
     drill,
     deep,
@@ -34,30 +35,33 @@ struct ReadMotion {
   };
   Kind kind = Kind::line;
   Feed feed_mode = Feed::none;
-  bool tcp = false;          ///< TCP is on
+  bool tcp = false;            ///< TCP is on
   bool machine_frame = false;  ///< words are machine positions (G53, M91), not program coordinates
   bool tool_length_offset = false;  ///< a length offset is active (other than by TCP)
-  std::uint8_t stated = 0;   ///< bit i: column i was written in this block
-  std::uint8_t known = 0;    ///< bit i: the position of column i is known at its end
-  std::array<double, 5> position{};  ///< mm and degrees, modal positions included, order of the letters asked for
-  double feed = 0.0;         ///< as active: mm/min (deg/min where only rotary axes move), or 1/min
+  std::uint8_t stated = 0;          ///< bit i: column i was written in this block
+  std::uint8_t known = 0;           ///< bit i: the position of column i is known at its end
+  std::array<double, 5>
+      position{};     ///< mm and degrees, modal positions included, order of the letters asked for
+  double feed = 0.0;  ///< as active: mm/min (deg/min where only rotary axes move), or 1/min
   /// Where the program's coordinates lie: the selected offset (54 to 59; 5401 and up: G54.1 P1 and
   /// up; 0: the control has only the preset) and the shift that the program itself adds to it.
   /// Positions count from there; a path cut in one clamping keeps both.
   int work_offset = 0;
   std::array<double, 5> datum_shift{};  ///< mm and degrees, order of the letters
-  int length_register = 0;  ///< H of the length offset or of TCP; 0: none, or the control takes the tool's own
+  int length_register =
+      0;  ///< H of the length offset or of TCP; 0: none, or the control takes the tool's own
   // arcs: in the plane across Z; centre in program coordinates
   double centre_x_mm = 0.0, centre_y_mm = 0.0;
   bool clockwise = false;  ///< seen from +Z
-  int whole_turns = 0;     ///< beyond the way from start to end; a full circle ends where it starts and has 1
+  int whole_turns =
+      0;  ///< beyond the way from start to end; a full circle ends where it starts and has 1
   // drill: position is the hole at its bottom
   double clearance_z_mm = 0.0;  ///< feed starts here
   double retract_z_mm = 0.0;    ///< the tool is here afterwards
   double peck_mm = 0.0;         ///< 0: none
   double dwell_s = 0.0;
   Hole hole = Hole::drill;
-  std::string_view cycle;       ///< the cycle's word, "G81"
+  std::string_view cycle;  ///< the cycle's word, "G81"
 };
 
 /// Other things that change the state of the machine.
@@ -69,7 +73,8 @@ struct ReadSpindle {
   State state = State::off;
   double speed_rpm = 0.0;
 };
-/// The tool went to the safe end of its travel: the position of the linear axes is not known after it.
+/// The tool went to the safe end of its travel: the position of the linear axes is not known after
+/// it.
 struct ReadSafeRetract {};
 struct ReadEnd {};
 
@@ -80,7 +85,7 @@ struct ReadItem {
 
 /// What a reader needs to know of the machine.
 struct ReaderSetup {
-  std::string letters;  ///< columns of ReadMotion::position ("XYZAC")
+  std::string letters;            ///< columns of ReadMotion::position ("XYZAC")
   machine::Options options = {};  ///< as the definition has them
 };
 

@@ -12,7 +12,8 @@ namespace pentapost::path {
 
 /// How the tool gets to a point.
 enum class Move : std::uint8_t {
-  feed,   ///< tool tip on a straight line (or the Arc event before it), tool axis on the great circle
+  feed,   ///< tool tip on a straight line (or the Arc event before it), tool axis on the great
+          ///< circle
   rapid,  ///< at rapid rate; only the end point counts
   hole,   ///< a hole of the cycle that is on: the point is the hole's reference point
 };
@@ -52,20 +53,33 @@ struct ToolData {
 struct Arc {
   Vec3 centre_wp_mm = Vec3::Zero();
   Vec3 normal_wp = Vec3::UnitZ();  ///< unit; the tool runs right-handed about it
-  double sweep_rad = 0.0;          ///< > 0, from the point before to the next point, whole turns included
+  double sweep_rad = 0.0;  ///< > 0, from the point before to the next point, whole turns included
 };
 
 /// A canned cycle is on from here: every point with Move::hole is a hole.
 struct CycleStart {
-  enum class Kind : std::uint8_t { drill, face, deep, break_chip, tap, tap_left, bore, bore_drag, ream };
+  enum class Kind : std::uint8_t {
+    drill,
+    face,
+    deep,
+    break_chip,
+    tap,
+    tap_left,
+    bore,
+    bore_drag,
+    ream
+  };
   Kind kind = Kind::drill;
-  double depth_mm = 0.0;      ///< > 0, from the reference point into the material, against the tool axis
-  double clearance_mm = 0.0;  ///< >= 0, feed starts this far above the reference point (RAPTO, CLEAR)
-  std::optional<double> retract_mm = {};  ///< above the reference point after each hole; nullopt: clearance
-  std::optional<double> peck_mm = {};     ///< > 0, depth of one peck; deep and break_chip
-  double dwell_s = 0.0;                   ///< >= 0, at the bottom
-  std::optional<double> feed_mm_min = {};      ///< nullopt: the feed that is active
-  std::optional<double> pitch_mm = {};         ///< tapping; nullopt: feed / speed
+  double depth_mm =
+      0.0;  ///< > 0, from the reference point into the material, against the tool axis
+  double clearance_mm =
+      0.0;  ///< >= 0, feed starts this far above the reference point (RAPTO, CLEAR)
+  std::optional<double> retract_mm =
+      {};  ///< above the reference point after each hole; nullopt: clearance
+  std::optional<double> peck_mm = {};      ///< > 0, depth of one peck; deep and break_chip
+  double dwell_s = 0.0;                    ///< >= 0, at the bottom
+  std::optional<double> feed_mm_min = {};  ///< nullopt: the feed that is active
+  std::optional<double> pitch_mm = {};     ///< tapping; nullopt: feed / speed
 };
 struct CycleEnd {};
 
@@ -101,8 +115,9 @@ using EventKind =
 
 /// What happens between two points.
 struct Event {
-  std::uint32_t before_point = 0;  ///< takes effect before the move to this point; size(): after the last
-  std::uint32_t cl_line = 0;       ///< 1-based
+  std::uint32_t before_point =
+      0;  ///< takes effect before the move to this point; size(): after the last
+  std::uint32_t cl_line = 0;  ///< 1-based
   EventKind what;
 };
 
@@ -115,8 +130,9 @@ struct ToolPath {
   std::vector<Move> move;              ///< how the tool gets there
   std::vector<Event> events;           ///< in order of before_point, then as in the file
 
-  std::string program_name;     ///< PARTNO; may be empty
-  double axis_rounding_rad = 0.0;  ///< two units in the last place of the axis components as written
+  std::string program_name;  ///< PARTNO; may be empty
+  double axis_rounding_rad =
+      0.0;  ///< two units in the last place of the axis components as written
   bool has_tool_change = false;
 
   std::size_t size() const noexcept { return tip_wp_mm.size(); }

@@ -34,7 +34,8 @@ bool ToolPosition::rotary_words_are_zero(const Words& words) const {
 Meaning ToolPosition::meaning_of(const nc::ReadMotion& motion) const {
   if (motion.machine_frame) return Meaning::unknown;
   if (output_ == Output::axes) {
-    // Where the head turns the words may hold the gauge length; elsewhere the control has to add it.
+    // Where the head turns the words may hold the gauge length; elsewhere the control has to add
+    // it.
     const bool length_is_held = motion.tool_length_offset || shape_.model.head_turns;
     return !motion.tcp && length_is_held ? Meaning::joints : Meaning::unknown;
   }

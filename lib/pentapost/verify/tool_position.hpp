@@ -22,7 +22,7 @@ enum class Meaning : std::uint8_t {
 struct Stop {
   std::uint8_t known = 0;  ///< bit i: words[i] holds
   Meaning meaning = Meaning::unknown;
-  bool placed = false;  ///< joints and station hold
+  bool placed = false;           ///< joints and station hold
   bool length_is_added = false;  ///< the control adds the tool length on a machine whose head turns
   Words words{};
   kinematics::Joints joints;
