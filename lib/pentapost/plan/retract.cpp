@@ -37,9 +37,10 @@ Result<double> clearance_mm(const RetractPlace& place, const RotaryPair& before,
 
 std::optional<Posture> posture_above(const RetractPlace& place, const RotaryPair& rotary,
                                      double distance_mm, BlockMaker& maker) {
-  for (; distance_mm >= least_clearance_mm; distance_mm *= 0.5) {
+  while (distance_mm >= least_clearance_mm) {
     auto above = maker.posture(place.tip_mm + distance_mm * place.axis, rotary, place.cl_line);
     if (above) return *std::move(above);
+    distance_mm *= 0.5;
   }
   return std::nullopt;
 }

@@ -41,7 +41,8 @@ Turns whole_turns(const Span& span, const Range<double>& range) {
 
 /// At most `kept_turns` of them, those nearest to `wanted`.
 std::vector<int> nearest_turns(const Turns& turns, double wanted) {
-  const double lowest = std::clamp(wanted - kept_turns / 2, turns.lowest,
+  constexpr int below = kept_turns / 2;
+  const double lowest = std::clamp(wanted - below, turns.lowest,
                                    std::max(turns.lowest, turns.highest - (kept_turns - 1)));
   std::vector<int> nearest;
   for (double turn = lowest; turn <= turns.highest && nearest.size() < kept_turns; turn += 1.0)
@@ -63,6 +64,7 @@ std::vector<int> first_turns_of(const Span& span, const Range<double>& range, in
   // A path that winds beyond the range: in a wide one the turns to go on with are spread over it.
   const int count = std::min(modulus, kept_remainders);
   std::vector<int> turns;
+  turns.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     turns.push_back(static_cast<int>(wanted) + static_cast<int>(1LL * i * modulus / count));
   return turns;
