@@ -282,7 +282,16 @@ CycleStatement read_cycle(const Words& words, const CycleContext& context) {
     statement.fault = "its kind is not known";
     return statement;
   }
+  if (words.has("BACK")) {
+    statement.fault = "it bores from below, which has no counterpart here";
+    return statement;
+  }
   statement.cycle.kind = *kind;
+  for (const std::string_view exit : {"MANUAL", "NODRAG"})
+    if (*kind == Kind::bore && words.has(exit))
+      statement.remarks.push_back("The word " + std::string{exit} +
+                                  " asks for a way out of the hole that the cycle does not take: "
+                                  "it was left out.");
   CycleNumbers numbers = CycleReader{words, statement}.read(0);
   name_positional(numbers);
   CycleMaker{numbers, context, statement}.make();

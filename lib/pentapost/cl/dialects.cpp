@@ -47,11 +47,12 @@ constexpr std::array table{
               .line_parts = {"NCCS", "NUMERICALCONTROLCOMPUTERSCIENCES"}},
     ClDialect{.name = "fusion-apt",
               .title = "Autodesk Fusion, ISO 4343 APT",
-              .line_starts = {"MODE/MILL", "MODE/TURN", "PARTNO/'", "MOVARC/", "PPRINT/'"},
+              .line_starts = {"MODE/MILL", "MODE/TURN"},
               .arc_sense = ArcSense::right_handed,
               .hole_point = HolePoint::bottom,
               .clearance_is_height = true,
-              .rapto_is_below_clearance = true},
+              .rapto_is_below_clearance = true,
+              .bare_spindle_is_unclear = true},
     ClDialect{.name = "apt", .title = "APT"},
 };
 

@@ -34,6 +34,8 @@ struct ClDialect {
   bool text_around = false;     ///< lines of text before the first statement and behind END-OF-PATH
   bool pprint_is_data = false;  ///< PPRINT speaks to another program, not to people
   bool axis_resets = false;     ///< the tool axis is 0,0,1 again at each operation
+  /// Its writers have stated SPINDL/ON at a stop of the spindle and SPINDL/OFF at its start.
+  bool bare_spindle_is_unclear = false;
 };
 
 /// All dialects; the last is plain APT, which is any text that is no other.

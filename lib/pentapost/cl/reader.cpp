@@ -73,6 +73,8 @@ constexpr std::array major_rows{
     MajorRow{"LOAD", Form::slash, &Interpreter::load},
     MajorRow{"LOADTL", Form::slash, &Interpreter::load_tool},
     MajorRow{"MACHIN", Form::text, &Interpreter::silent},
+    MajorRow{"MCS", Form::slash, &Interpreter::frame_change},
+    MajorRow{"MCSYS", Form::slash, &Interpreter::frame_change},
     MajorRow{"MODE", Form::slash, &Interpreter::coordinate_mode},
     MajorRow{"MOVARC", Form::motion, &Interpreter::circle},
     MajorRow{"MOVNRB", Form::slash, &Interpreter::silent},

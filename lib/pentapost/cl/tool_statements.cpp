@@ -146,6 +146,13 @@ void Interpreter::spindle(const Major& major) {
   if (words_.has_damage())
     return report_damage(Severity::warning, Code::damaged_statement, "speed and sense");
   const auto speed = spindle_speed(words_);
+  const bool is_bare = words_.size() == 1 && (words_.has("ON") || words_.has("OFF"));
+  if (is_bare && dialect_.bare_spindle_is_unclear)
+    report(Severity::warning, Code::ignored_statement, [&] {
+      return quoted_excerpt(statement_->text) +
+             " is taken by its word, which writers of this dialect have exchanged: check where the "
+             "spindle runs.";
+    });
   if (words_.has("OFF") || words_.has("STOP") || speed == 0.0) {
     spindle_.state = State::off;
     path_.add_event(line_, path::Spindle{});

@@ -85,6 +85,21 @@ TEST(ReadCycle, RefusesAFusionClearanceBelowTheHole) {
       read_cycle_in("fusion-apt", "CYCLE/DRILL, 8., MMPM, 100., 5.").diagnostics.has_errors());
 }
 
+TEST(ReadCycle, RefusesBoringFromBelow) {
+  const auto result = read_cycle_in("apt", "CYCLE/BORE,BACK,DEPTH,4,CLEAR,2,MMPM,9");
+  EXPECT_TRUE(has(result, Code::bad_cycle));
+  EXPECT_TRUE(result.diagnostics.has_errors());
+}
+
+TEST(ReadCycle, WarnsOfAWayOutOfTheHoleThatItDoesNotTake) {
+  for (const char* exit : {"NODRAG", "MANUAL"}) {
+    const auto result =
+        read_cycle_in("apt", "CYCLE/BORE," + std::string{exit} + ",DEPTH,4,CLEAR,2,MMPM,9");
+    EXPECT_TRUE(has(result, Code::bad_cycle)) << exit;
+    EXPECT_EQ(only_cycle(result).kind, Kind::bore) << exit;
+  }
+}
+
 TEST(ReadCycle, KnowsTheKinds) {
   const std::pair<const char*, Kind> cases[] = {
       {"DRILL", Kind::drill}, {"FACE", Kind::face},

@@ -34,6 +34,7 @@ TEST(DetectClDialect, FindsEachByItsMarks) {
       {"$$ NCCS N-SEE 2000\n", "nccs-apt"},
       {"MODE/MILL\nPARTNO/'X'\n", "fusion-apt"},
       {"PARTNO/X\nUNITS/MM\n", "apt"},
+      {"PARTNO/'X'\nPPRINT/'Y'\nMOVARC/0,0,0,0,0,1,5,ANGLE,90\n", "apt"},
       {"", "apt"}};
   for (const auto& [text, name] : cases) EXPECT_EQ(detect_cl_dialect(text).name, name) << text;
 }

@@ -71,8 +71,9 @@ TEST(ReadText, WarnsOfWhatWouldChangeThePath) {
 }
 
 TEST(ReadText, RefusesWhatMovesTheFrameOfThePoints) {
-  for (const char* text : {"ROTABL/1.5707963", "ROTABL/45,CLW", "ROTHED/30", "ORIGIN/1,2,3",
-                           "TRANS/1,2,3", "TRACUT/MX1", "TRACUT/1,0,0,5,0,1,0,0,0,0,1,0"}) {
+  for (const char* text :
+       {"ROTABL/1.5707963", "ROTABL/45,CLW", "ROTHED/30", "ORIGIN/1,2,3", "TRANS/1,2,3",
+        "TRACUT/MX1", "MCS/0,0,1,0", "MCSYS/NUM,1", "TRACUT/1,0,0,5,0,1,0,0,0,0,1,0"}) {
     const auto result = read("UNITS/MM\n" + std::string{text} + "\n" + point);
     EXPECT_TRUE(has(result, Code::damaged_motion)) << text;
     EXPECT_EQ(diagnostic_of(result, Code::damaged_motion).cl_line, 2U) << text;

@@ -65,6 +65,14 @@ TEST(ReadSpindle, GoesOnAtOnAsItWas) {
   EXPECT_EQ(spindles[2].speed_rpm, 800.0);
 }
 
+TEST(ReadSpindle, WarnsWhereWritersHaveExchangedOnAndOff) {
+  for (const char* bare : {"SPINDL/ON\n", "SPINDL/OFF\n"}) {
+    EXPECT_TRUE(has(read_as("fusion-apt", bare + point), Code::ignored_statement)) << bare;
+    EXPECT_FALSE(has(read_as("apt", bare + point), Code::ignored_statement)) << bare;
+  }
+  EXPECT_FALSE(has(read_as("fusion-apt", "SPINDL/900,RPM,CLW\n" + point), Code::ignored_statement));
+}
+
 TEST(ReadSpindle, LeavesSurfaceSpeedOutWithAWarning) {
   const auto result = read("SPINDL/500.0,SFM,CLW\n" + point);
   EXPECT_TRUE(has(result, Code::ignored_statement));
