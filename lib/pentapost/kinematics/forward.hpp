@@ -1,12 +1,17 @@
 #pragma once
 
 #include "pentapost/kinematics/model.hpp"
+#include "pentapost/kinematics/turns.hpp"
 
 namespace pentapost::kinematics {
 
 /// Tool tip and tool axis in the table frame for joint values.
 /// @param gauge_length_mm  spindle reference to tool tip, along the tool axis.
 Pose forward(const Model& model, const Joints& joints, double gauge_length_mm);
+
+/// The tool tip alone, at rotary values whose sines are taken already.
+Vec3 forward_tip_mm(const Model& model, const Turns& turn, const Vec3& linear_mm,
+                    double gauge_length_mm);
 
 /// The tool axis alone; the linear joints have no part in it.
 Vec3 forward_axis(const Model& model, double first_rad, double second_rad);

@@ -1,7 +1,6 @@
 #include "pentapost/kinematics/inverse.hpp"
 
 #include "pentapost/kinematics/linear_solve.hpp"
-#include "pentapost/kinematics/turns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -143,7 +142,11 @@ RotaryInside inverse_rotary_inside(const Model& model, const Vec3& axis, int bra
 
 std::optional<Vec3> inverse_linear(const Model& model, const Vec3& tip_mm, double first_rad,
                                    double second_rad, double gauge_length_mm) {
-  const Turns turn{model, first_rad, second_rad};
+  return inverse_linear(model, tip_mm, Turns{model, first_rad, second_rad}, gauge_length_mm);
+}
+
+std::optional<Vec3> inverse_linear(const Model& model, const Vec3& tip_mm, const Turns& turn,
+                                   double gauge_length_mm) {
   if (model.fixed.linear_place >= 0)
     return solve_in_one_place(model, tip_mm, turn, gauge_length_mm);
   return solve_linear(model, turn.linear_matrix(),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pentapost/kinematics/model.hpp"
+#include "pentapost/kinematics/turns.hpp"
 
 #include <array>
 #include <optional>
@@ -54,5 +55,7 @@ RotaryInside inverse_rotary_inside(const Model& model, const Vec3& axis, int bra
 ///         1e-6 of that at zero (a quill on a head that lies down).
 std::optional<Vec3> inverse_linear(const Model& model, const Vec3& tip_mm, double first_rad,
                                    double second_rad, double gauge_length_mm);
+std::optional<Vec3> inverse_linear(const Model& model, const Vec3& tip_mm, const Turns& turn,
+                                   double gauge_length_mm);
 
 }  // namespace pentapost::kinematics

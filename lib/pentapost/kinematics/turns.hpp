@@ -6,7 +6,7 @@
 namespace pentapost::kinematics {
 
 /// The two rotary motions at given joint values; a joint that the chain lacks does not turn.
-/// Keeps a reference to the model: for use within one function.
+/// Refers to the model.
 class Turns {
  public:
   Turns(const Model& model, double first_rad, double second_rad)

@@ -56,7 +56,7 @@ BlockMaker::BlockMaker(const kinematics::Model& model, const JointRanges& ranges
 Result<Posture> BlockMaker::posture(const Vec3& tip_mm, const RotaryPair& rotary,
                                     std::uint32_t cl_line) {
   Posture made;
-  if (has_last_ && rotary == last_rotary_) {
+  if (last_turns_ && rotary == last_rotary_) {
     made = last_;
   } else {
     const auto word_of = [&](double value_rad) {
@@ -73,19 +73,18 @@ Result<Posture> BlockMaker::posture(const Vec3& tip_mm, const RotaryPair& rotary
       made.word[columns_.second] = word_of(rotary.second_rad);
       made.printed.second_rad = printed_rad(made.word[columns_.second]);
     }
-    made.axis = kinematics::forward_axis(model_, made.printed.first_rad, made.printed.second_rad);
+    last_turns_.emplace(model_, made.printed.first_rad, made.printed.second_rad);
+    made.axis = last_turns_->tool_axis();
     last_rotary_ = rotary;
     last_ = made;
-    has_last_ = true;
   }
   if (auto status = check_ranges(tip_mm, rotary, cl_line); !status)
     return std::move(status).error();
 
   Vec3 words_mm = tip_mm;
   if (settings_.output == Output::axes) {
-    const auto linear =
-        kinematics::inverse_linear(model_, tip_mm + settings_.origin_mm, made.printed.first_rad,
-                                   made.printed.second_rad, gauge_in_words_mm_);
+    const auto linear = kinematics::inverse_linear(model_, tip_mm + settings_.origin_mm,
+                                                   *last_turns_, gauge_in_words_mm_);
     if (!linear)
       return Problem{.code = Code::linear_singular,
                      .message = "the linear axes do not span space in the posture of CL line " +
@@ -104,13 +103,9 @@ Result<Posture> BlockMaker::posture(const Vec3& tip_mm, const RotaryPair& rotary
     return made;
   }
   made.linear_mm = printed_mm + added_by_control_mm_;
-  made.tip_mm = kinematics::forward(model_,
-                                    {.linear_mm = made.linear_mm,
-                                     .first_rad = made.printed.first_rad,
-                                     .second_rad = made.printed.second_rad},
-                                    gauge_in_words_mm_)
-                    .tip_mm -
-                settings_.origin_mm;
+  made.tip_mm =
+      kinematics::forward_tip_mm(model_, *last_turns_, made.linear_mm, gauge_in_words_mm_) -
+      settings_.origin_mm;
   return made;
 }
 

@@ -2,6 +2,7 @@
 
 #include "pentapost/core/result.hpp"
 #include "pentapost/kinematics/model.hpp"
+#include "pentapost/kinematics/turns.hpp"
 #include "pentapost/path/motion.hpp"
 #include "pentapost/path/segment.hpp"
 #include "pentapost/plan/axis_path.hpp"
@@ -10,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace pentapost::plan {
@@ -68,7 +70,7 @@ class BlockMaker {
   // the last rotary values: most points of real files keep them
   RotaryPair last_rotary_;
   Posture last_;
-  bool has_last_ = false;
+  std::optional<kinematics::Turns> last_turns_;  ///< of the words of last_; none: no last yet
 };
 
 }  // namespace pentapost::plan

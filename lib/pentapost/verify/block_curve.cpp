@@ -9,18 +9,8 @@ namespace {
 
 using kinematics::Joints;
 using kinematics::Model;
-
-/// Sine and cosine of one rotary joint, taken once for all vectors that it turns.
-struct Turn {
-  Vec3 direction;
-  double sine, cosine;
-  Turn(const Vec3& joint_direction, double angle_rad)
-      : direction{joint_direction}, sine{std::sin(angle_rad)}, cosine{std::cos(angle_rad)} {}
-  Vec3 operator*(const Vec3& vector) const {
-    return cosine * vector + sine * direction.cross(vector) +
-           (1.0 - cosine) * direction.dot(vector) * direction;
-  }
-};
+using kinematics::rotated;
+using kinematics::SineCosine;
 
 void set_axis(Station& station, const Vec3& first_direction, const Vec3& axis) {
   station.axis = axis;
@@ -46,25 +36,28 @@ Station tip_station(const ChainShape& shape, const Vec3& tip_mm, double first_ra
   const Model& model = shape.model;
   Station station;
   station.tip_mm = tip_mm;
-  set_axis(station, model.a, Turn{model.a, first_rad} * (Turn{model.b, second_rad} * model.t));
+  const Vec3 inner = rotated(model.b, SineCosine{second_rad}, model.t);
+  set_axis(station, model.a, rotated(model.a, SineCosine{first_rad}, inner));
   return station;
 }
 
 Station joint_station(const ChainShape& shape, const Joints& joints, double gauge_length_mm,
                       const Vec3& origin_mm) {
   const Model& model = shape.model;
-  const Turn first{model.a, joints.first_rad};
-  const Turn second{model.b, joints.second_rad};
   Station station;
-  set_axis(station, model.a, first * (second * model.t));
+  station.first_turn = SineCosine{joints.first_rad};
+  station.second_turn = SineCosine{joints.second_rad};
+  set_axis(station, model.a,
+           rotated(model.a, station.first_turn, rotated(model.b, station.second_turn, model.t)));
 
   Vec3 from_second = -model.b_point_mm - gauge_length_mm * model.t;
   if (model.has_linear[2]) from_second += model.linear_columns[2] * joints.linear_mm;
-  Vec3 from_first = model.b_point_mm - model.a_point_mm + second * from_second;
+  station.outer_arm_mm = rotated(model.b, station.second_turn, from_second);
+  Vec3 from_first = model.b_point_mm - model.a_point_mm + station.outer_arm_mm;
   if (model.has_linear[1]) from_first += model.linear_columns[1] * joints.linear_mm;
   station.second_arm_mm = model.b.cross(from_second).norm();
   station.turned_arm_mm = from_first;
-  station.arm_mm = first * from_first;
+  station.arm_mm = rotated(model.a, station.first_turn, from_first);
   station.tip_mm = model.a_point_mm + station.arm_mm - origin_mm;
   if (model.has_linear[0]) station.tip_mm += model.linear_columns[0] * joints.linear_mm;
   return station;
@@ -92,13 +85,12 @@ BlockCurve BlockCurve::joint_line(const ChainShape& shape, const Joints& from, c
   curve.gauge_length_mm_ = gauge_length_mm;
   curve.origin_mm_ = origin_mm;
   const Model& model = shape.model;
-  if (model.has_linear[1])
-    curve.before_second_mm_ = (model.linear_columns[1] * curve.change_.linear_mm).norm();
-  if (model.has_linear[2]) {
-    const Vec3 after = model.linear_columns[2] * curve.change_.linear_mm;
-    curve.after_second_mm_ = after.norm();
-    curve.across_second_mm_ = model.b.cross(after).norm();
-  }
+  for (std::size_t place = 0; place < 3; ++place)
+    if (model.has_linear[place])
+      curve.linear_way_mm_[place] = model.linear_columns[place] * curve.change_.linear_mm;
+  curve.before_second_mm_ = curve.linear_way_mm_[1].norm();
+  curve.after_second_mm_ = curve.linear_way_mm_[2].norm();
+  curve.across_second_mm_ = model.b.cross(curve.linear_way_mm_[2]).norm();
   return curve;
 }
 
@@ -142,6 +134,32 @@ double BlockCurve::tip_acceleration_mm(const Station& from, const Station& to, d
            (1.0 - 0.5 * alpha);
   const double arm_mm = std::max(from.arm_mm.norm(), to.arm_mm.norm()) + 0.5 * turned_speed;
   return alpha * alpha * arm_mm + 2.0 * alpha * turned_speed + turned_acceleration;
+}
+
+// y' = R (alpha' a x v + v') with v' = D1 + beta' b x w + R(b, beta) D2.
+Vec3 BlockCurve::tip_velocity_mm(const Station& station) const {
+  const Model& model = shape_->model;
+  Vec3 turned = change_.first_rad * model.a.cross(station.turned_arm_mm) +
+                change_.second_rad * model.b.cross(station.outer_arm_mm) + linear_way_mm_[1];
+  if (model.has_linear[2]) turned += rotated(model.b, station.second_turn, linear_way_mm_[2]);
+  return linear_way_mm_[0] + rotated(model.a, station.first_turn, turned);
+}
+
+// By Leibniz' rule; v(n) <= beta'^n |w| + n beta'^(n-1) |w'| across b, for n > 1.
+double BlockCurve::tip_snap_mm(const Station& from, const Station& to) const {
+  const double alpha = std::abs(change_.first_rad);
+  const double beta = std::abs(change_.second_rad);
+  const double arm = std::max(from.second_arm_mm, to.second_arm_mm);
+  const double way = across_second_mm_;
+  const double first = before_second_mm_ + after_second_mm_ + beta * arm;
+  const double second = beta * (beta * arm + 2.0 * way);
+  const double third = beta * beta * (beta * arm + 3.0 * way);
+  const double fourth = beta * beta * beta * (beta * arm + 4.0 * way);
+  const double inner_arm =
+      std::sqrt(std::max(from.turned_arm_mm.squaredNorm(), to.turned_arm_mm.squaredNorm())) +
+      0.5 * first;
+  return fourth +
+         alpha * (4.0 * third + alpha * (6.0 * second + alpha * (4.0 * first + alpha * inner_arm)));
 }
 
 // With gamma the angle between a and the axis o, the parts of o'' tangent to the sphere are

@@ -2,8 +2,10 @@
 
 #include "pentapost/core/units.hpp"
 #include "pentapost/kinematics/model.hpp"
+#include "pentapost/kinematics/rotate.hpp"
 #include "pentapost/path/segment.hpp"
 
+#include <array>
 #include <optional>
 
 namespace pentapost::verify {
@@ -24,8 +26,10 @@ struct Station {
   // Only where the words are joint values:
   Vec3 arm_mm = Vec3::Zero();  ///< first rotary axis to tip, table frame
   Vec3 turned_arm_mm =
-      Vec3::Zero();            ///< the same, seen from the body that the first joint moves against
-  double second_arm_mm = 0.0;  ///< distance of the tip from the second rotary axis
+      Vec3::Zero();  ///< the same, seen from the body that the first joint moves against
+  Vec3 outer_arm_mm = Vec3::Zero();  ///< second rotary axis to tip, seen from the body before it
+  double second_arm_mm = 0.0;        ///< distance of the tip from the second rotary axis
+  kinematics::SineCosine first_turn{0.0, 1.0}, second_turn{0.0, 1.0};
 };
 
 /// The tool where X Y Z are the tip.
@@ -61,6 +65,10 @@ class BlockCurve {
   /// Upper bound of |d2 tip / du2| between two stations, u from 0 to 1 over the share `h` of the
   /// block between them. `infinity` where no bound is known yet: h is to be made smaller.
   double tip_acceleration_mm(const Station& from, const Station& to, double h) const;
+  /// d tip / ds at a station of joint_line().
+  Vec3 tip_velocity_mm(const Station& station) const;
+  /// Upper bound of |d4 tip / ds4| over the whole block of joint_line() between its end stations.
+  double tip_snap_mm(const Station& from, const Station& to) const;
 
   struct AxisRates {
     double speed;  ///< upper bound of |d axis / du|
@@ -82,6 +90,8 @@ class BlockCurve {
   Vec3 tip_from_mm_ = Vec3::Zero(), tip_change_mm_ = Vec3::Zero();
   double gauge_length_mm_ = 0.0;
   Vec3 origin_mm_ = Vec3::Zero();
+  std::array<Vec3, 3> linear_way_mm_{Vec3::Zero(), Vec3::Zero(),
+                                     Vec3::Zero()};  ///< by Model::linear_columns
   double before_second_mm_ = 0.0;  ///< way of the linear joints between the rotary ones
   double after_second_mm_ = 0.0;   ///< way of those beyond both
   double across_second_mm_ = 0.0;  ///< part of it across the second rotary axis
