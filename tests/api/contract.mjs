@@ -89,6 +89,7 @@ async function checkRefusals(port) {
     ["an unknown machine", text({ machine: "hermle" }, cl), 404, "unknown_machine"],
     ["an unknown version", text({ machine: "generic-3axis@9.9.9" }, cl), 404, "unknown_version"],
     ["an unknown dialect", text({ machine: "generic-3axis", dialect: "x" }, cl), 422, "unknown_dialect"],
+    ["an unknown CL dialect", job({ machine: "generic-3axis", cl, cl_dialect: "nx" }), 422, "unknown_dialect"],
     ["a definition that is none", job({ machine: { name: "x" }, cl }), 422, "definition_schema"],
     ["a form without a boundary", { method: "POST", path: "/post",
       headers: { "content-type": "multipart/form-data" }, body: "x" }, 400, "bad_form"],

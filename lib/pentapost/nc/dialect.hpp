@@ -32,6 +32,9 @@ struct Abilities {
   bool helices = false;             ///< arcs that move along Z as well
   bool arcs_with_tcp = false;       ///< arcs while TCP is on
   bool native_cycles = false;       ///< canned drilling cycles
+  /// TCP ends after the safe retract: its end may move the axes by the tool length.
+  bool retracts_with_tcp = false;
+  bool retract_needs_tool = false;  ///< no safe retract before the first tool call
   bool rapid_is_straight = false;   ///< rapids are written as straight moves
   double rapid_feed_mm_min = 0.0;   ///< of such rapids
   double rotary_feed_deg_min =

@@ -43,11 +43,6 @@ int cycle_code(const path::NativeCycle& cycle) {
   throw std::logic_error{"cycle_code: no such cycle"};
 }
 
-std::string speed_word(double speed_rpm) {
-  const auto speed = nearest_count(speed_rpm, 0);
-  return speed ? std::string{"S"} + std::to_string(*speed) : std::string{};
-}
-
 }  // namespace
 
 std::string fanuc_comment(std::string_view text) {
@@ -69,16 +64,11 @@ bool FanucWriter::act(const path::ToolCall& call, std::uint32_t cl_line) {
   const int length_register = call.length_register.value_or(call.number);
   if (call.number < 0 || length_register < 0 || call.number > largest_register ||
       length_register > largest_register)
-    return refuse(refusal(Code::out_of_domain,
-                          std::string{"T"} + std::to_string(call.number) + " H" +
-                              std::to_string(length_register) +
-                              " is not a tool that the control can call",
-                          cl_line));
+    return refuse(uncallable(
+        "T" + std::to_string(call.number) + " H" + std::to_string(length_register), cl_line));
   leave_inverse_time();
   comment(call.name);
-  const std::string speed = call.speed_rpm ? speed_word(*call.speed_rpm) : std::string{};
-  for (const std::string& line : settings_.common.tool_change)
-    text_.block(filled(filled(line, "{tool}", std::to_string(call.number)), "{speed}", speed));
+  blocks_.change_tool(call);
   length_register_ = length_register;
   forget();
   words_.lose_all();
@@ -87,27 +77,11 @@ bool FanucWriter::act(const path::ToolCall& call, std::uint32_t cl_line) {
 }
 
 bool FanucWriter::act(const path::Spindle& spindle, std::uint32_t cl_line) {
-  using State = path::Spindle::State;
-  if (spindle.state == State::off) {
-    text_.block("M5");
-    return true;
-  }
-  std::string& out = text_.begin_block();
-  if (spindle.speed_rpm) {
-    const auto speed = nearest_count(*spindle.speed_rpm, 0);
-    if (!speed) return refuse(unwritable("S", *spindle.speed_rpm, "rpm", cl_line));
-    append_whole_word(out, 'S', *speed);
-  }
-  out += spindle.state == State::clockwise ? "M3 " : "M4 ";
-  text_.end_block();
-  return true;
+  return done(blocks_.spindle(spindle, cl_line));
 }
 
 bool FanucWriter::act(const path::Coolant& coolant, std::uint32_t cl_line) {
-  const std::string* const code = coolant_code(settings_.common.coolant, coolant.state);
-  if (code == nullptr) return refuse(no_coolant_code(coolant.state, cl_line));
-  text_.block(*code);
-  return true;
+  return done(blocks_.coolant(coolant, cl_line));
 }
 
 bool FanucWriter::act(const path::Dwell& dwell, std::uint32_t cl_line) {
@@ -157,7 +131,7 @@ bool FanucWriter::act(const path::ArcCentre& centre, std::uint32_t) {
 
 bool FanucWriter::act(const path::TcpOn&, std::uint32_t) {
   leave_inverse_time();
-  smoothing_on();
+  blocks_.smoothing_on();
   for (const std::string& line : settings_.common.tcp_on)
     text_.block(filled(line, "{register}", std::to_string(length_register_)));
   forget();
@@ -168,7 +142,7 @@ bool FanucWriter::act(const path::TcpOn&, std::uint32_t) {
 bool FanucWriter::act(const path::TcpOff&, std::uint32_t) {
   leave_inverse_time();
   text_.blocks(settings_.common.tcp_off);
-  smoothing_off();
+  blocks_.smoothing_off();
   forget();
   words_.lose_linear();
   return true;
@@ -179,7 +153,7 @@ bool FanucWriter::act(const path::SafeRetract&, std::uint32_t) {
   text_.blocks(settings_.common.safe_retract);
   // G49 before the retract would let the tool down by its length.
   if (length_on_) text_.block("G49");
-  if (motion_.output == Output::axes) smoothing_off();
+  if (motion_.output == Output::axes) blocks_.smoothing_off();
   length_on_ = false;
   approached_ = false;
   forget();
@@ -229,7 +203,7 @@ bool FanucWriter::act(const path::NativeCycleEnd&, std::uint32_t) {
 
 bool FanucWriter::act(const path::ProgramEnd&, std::uint32_t) {
   leave_inverse_time();
-  smoothing_off();
+  blocks_.smoothing_off();
   text_.blocks(settings_.common.end_lines);
   return true;
 }

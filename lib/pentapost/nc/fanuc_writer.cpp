@@ -15,7 +15,8 @@ FanucWriter::FanucWriter(const path::Motion& motion, const FanucSettings& settin
       settings_{settings},
       words_{motion, settings.whole_digits, {.always_point = true}},
       feed_{settings.common.feed_decimals},
-      text_{out, settings.common.block_numbers, settings.largest_block_number, ""} {}
+      text_{out, settings.common.block_numbers, settings.largest_block_number, ""},
+      blocks_{settings.common, text_} {}
 
 void FanucWriter::start(const path::ProgramHeader& header) {
   if (settings_.tape_marks) text_.line("%");
@@ -134,7 +135,7 @@ bool FanucWriter::approach(const path::Block& block) {
       (block.stated & bit(words_.z())) == 0)
     return false;
   approached_ = true;
-  smoothing_on();
+  blocks_.smoothing_on();
   length_on_ = motion_.length_offset;
   return length_on_;
 }
@@ -187,14 +188,9 @@ void FanucWriter::forget() {
   motion_code_ = -1;
 }
 
-void FanucWriter::smoothing_on() {
-  if (!smoothing_is_on_) text_.blocks(settings_.common.smoothing_on);
-  smoothing_is_on_ = true;
-}
-
-void FanucWriter::smoothing_off() {
-  if (smoothing_is_on_) text_.blocks(settings_.common.smoothing_off);
-  smoothing_is_on_ = false;
+bool FanucWriter::done(std::optional<Problem> problem) {
+  problem_ = std::move(problem);
+  return !problem_;
 }
 
 bool FanucWriter::refuse(Problem problem) {

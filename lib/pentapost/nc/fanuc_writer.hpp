@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pentapost/nc/axis_words.hpp"
+#include "pentapost/nc/common_blocks.hpp"
 #include "pentapost/nc/fanuc_family.hpp"
 #include "pentapost/nc/program_text.hpp"
 
@@ -59,16 +60,17 @@ class FanucWriter {
   void leave_inverse_time();
   void end_cycle();
   void forget();
-  void smoothing_on();
-  void smoothing_off();
   void comment(std::string_view text);
   bool refuse(Problem problem);
+  /// Whether there is no Problem; keeps one.
+  bool done(std::optional<Problem> problem);
 
   const path::Motion& motion_;
   const FanucSettings& settings_;
   AxisWords words_;
   FeedWord feed_;
   ProgramText text_;
+  CommonBlocks blocks_;
   std::optional<Problem> problem_;
 
   int motion_code_ = -1;  ///< G0 to G3; -1: to be stated
@@ -80,7 +82,6 @@ class FanucWriter {
   int length_register_ = 1;  ///< a path that names no tool is cut with tool 1
   bool approached_ = false;  ///< Z was stated since the last retract
   bool length_on_ = false;
-  bool smoothing_is_on_ = false;
 };
 
 }  // namespace pentapost::nc

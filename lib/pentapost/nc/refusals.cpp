@@ -21,6 +21,11 @@ Problem unwritable(std::string_view what, double value, std::string_view unit,
   return refusal(Code::out_of_domain, message + " cannot be written on this control", cl_line);
 }
 
+Problem uncallable(std::string_view words, std::uint32_t cl_line) {
+  return refusal(Code::out_of_domain,
+                 std::string{words} + " is not a tool that the control can call", cl_line);
+}
+
 Problem no_coolant_code(path::Coolant::State state, std::uint32_t cl_line) {
   return refusal(Code::not_in_dialect,
                  "the machine has no code for this coolant; the option " +

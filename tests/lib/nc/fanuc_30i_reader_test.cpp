@@ -229,6 +229,15 @@ TEST(Fanuc30iReader, G28AlongZIsASafeRetract) {
   EXPECT_EQ(read.motions().back().known, 0b11011);
 }
 
+/// A turned table makes a way along machine Z one along all coordinates of the tip.
+TEST(Fanuc30iReader, ARetractAlongZInToolCentrePointControlForgetsTheWholeTip) {
+  for (const char* retract : {"G91 G28 Z0.\nG90", "G53 Z0."}) {
+    const auto motions =
+        motions_of("G43.4 H5 X0. Y0. Z9.\n" + std::string{retract} + "\nG49\nG0 C5.");
+    EXPECT_EQ(motions.back().known, 0b11000) << retract;
+  }
+}
+
 TEST(Fanuc30iReader, G28AlongOtherAxesGoesToAnUnknownPlace) {
   const auto motion = last_motion("G91 G28 X0. Y0.");
   EXPECT_TRUE(motion.machine_frame);
@@ -258,7 +267,7 @@ TEST(Fanuc30iReader, G53IsARapidWhateverTheMotionMode) {
 
 TEST(Fanuc30iReader, RefusesInToolCentrePointControlWhatTheControlForbids) {
   for (const std::string_view blocks :
-       {"G91 G28 Z0.", "G53 Z0.", "T6 M6", "G55", "G81 X1. Z1. R2."}) {
+       {"G91 G28 X0.", "G53 C0.", "G53 X0. Z0.", "T6 M6", "G55", "G81 X1. Z1. R2."}) {
     SCOPED_TRACE(blocks);
     const auto read = read_after_start("G43.4 H5 X0. Y0. Z9.\n" + std::string{blocks});
     ASSERT_FALSE(read.status.has_value());

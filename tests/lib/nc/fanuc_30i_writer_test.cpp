@@ -1,32 +1,19 @@
+#include "lib/nc/read_items.hpp"
 #include "lib/nc/writer_case.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <limits>
 #include <string>
+#include <vector>
 
 namespace pentapost {
 namespace {
 
+using sample::bare_with;
 using sample::MotionCase;
-using Kind = path::Block::Kind;
-using CycleKind = path::CycleStart::Kind;
+using sample::fanuc::body;
 using Lines = std::vector<std::string>;
-
-const machine::Options bare{{"comments", false}, {"start_lines", Lines{}}};
-
-machine::Options bare_with(const std::string& name, machine::OptionValue value) {
-  machine::Options options = bare;
-  options[name] = std::move(value);
-  return options;
-}
-
-/// What stands between the program number and the last %.
-std::string body(const path::Motion& motion, const machine::Options& options = bare) {
-  const std::string nc = sample::program("fanuc-30i", motion, options);
-  const auto first = nc.find('\n', 2) + 1;
-  return nc.substr(first, nc.rfind('%') - first);
-}
 
 TEST(Fanuc30iWriter, WritesAWholeProgramWithTcp) {
   const auto motion = MotionCase{"XYZBC"}
@@ -123,310 +110,6 @@ TEST(Fanuc30iWriter, TakesTheRegisterOfToolOneWhereNoToolIsCalled) {
   EXPECT_EQ(body(MotionCase{}.act(path::TcpOn{}).motion), "G43.4 H1\n");
 }
 
-// X10 without a point is 0.01 mm on this control.
-TEST(Fanuc30iWriter, WritesAPointInEveryAxisWordAndFeed) {
-  const auto motion = MotionCase{}
-                          .line({10, -0.5, 0.05, 100, 0}, 500.0)
-                          .line({-1000.25, 0.001, -10, 999999.999, -999999.999}, 88.97)
-                          .motion;
-
-  EXPECT_EQ(body(motion),
-            "G1 X10. Y-0.5 Z0.05 A100. C0. F500.\n"
-            "X-1000.25 Y0.001 Z-10. A999999.999 C-999999.999 F88.97\n");
-}
-
-TEST(Fanuc30iWriter, LeavesOutWordsThatDoNotChange) {
-  const auto motion = MotionCase{"XYZ"}
-                          .line({1, 2, 3}, 100.0)
-                          .line({1, 2, 4}, 100.0)
-                          .line({0, 2, 4}, 200.0)
-                          .rapid({0, 5, 4})
-                          .motion;
-
-  EXPECT_EQ(body(motion),
-            "G1 X1. Y2. Z3. F100.\n"
-            "Z4.\n"
-            "X0. F200.\n"
-            "G0 Y5.\n");
-}
-
-TEST(Fanuc30iWriter, WritesAllWordsOnRequest) {
-  const auto motion = MotionCase{"XYZ"}.line({1, 2, 3}, 100.0).line({1, 2, 4}, 100.0).motion;
-
-  EXPECT_EQ(body(motion, bare_with("modal_words", false)),
-            "G1 X1. Y2. Z3. F100.\n"
-            "X1. Y2. Z4.\n");
-}
-
-TEST(Fanuc30iWriter, KeepsABlockThatMovesNothingAMotionBlock) {
-  const auto motion = MotionCase{"XYZ"}.line({1, 2, 3}, 100.0).line({1, 2, 3}, 100.0).motion;
-
-  EXPECT_EQ(body(motion),
-            "G1 X1. Y2. Z3. F100.\n"
-            "X1. Y2. Z3.\n");
-}
-
-TEST(Fanuc30iWriter, StatesAllWordsAgainAfterTheModeChanges) {
-  const path::ActionKind changes[] = {path::TcpOn{},
-                                      path::TcpOff{},
-                                      path::SafeRetract{},
-                                      path::Stop{},
-                                      path::InsertedText{"#100=1"},
-                                      path::ToolCall{.number = 2}};
-  for (const auto& change : changes) {
-    const auto motion =
-        MotionCase{"XYZ"}.line({1, 2, 3}, 100.0).act(change).line({1, 2, 3}, 100.0).motion;
-    const std::string nc = body(motion);
-    EXPECT_TRUE(nc.ends_with("G1 X1. Y2. Z3. F100.\n")) << nc;
-    EXPECT_TRUE(nc.starts_with("G1 X1. Y2. Z3. F100.\n")) << nc;
-  }
-}
-
-TEST(Fanuc30iWriter, DoesNotTakeUnstatedWordsForKnown) {
-  const auto motion = MotionCase{"XYZ"}.rapid({0, 0, 7}).stating(0x03).rapid({0, 0, 0}).motion;
-
-  EXPECT_EQ(body(motion),
-            "G0 X0. Y0.\n"
-            "Z0.\n");
-}
-
-TEST(Fanuc30iWriter, StatesInverseTimeOnEveryBlock) {
-  const auto motion = MotionCase{"XYZC", Output::tcp}
-                          .line({0, 0, 0, 0}, 100.0)
-                          .inverse({1, 0, 0, 10}, 12.5)
-                          .inverse({2, 0, 0, 20}, 12.5)
-                          .inverse({3, 0, 0, 30}, 0.00001)
-                          .inverse({4, 0, 0, 40}, 1e9)
-                          .line({5, 0, 0, 40}, 100.0)
-                          .line({6, 0, 0, 40}, 100.0)
-                          .motion;
-
-  EXPECT_EQ(body(motion),
-            "G1 X0. Y0. Z0. C0. F100.\n"
-            "G93 X1. C10. F12.5\n"
-            "X2. C20. F12.5\n"
-            "X3. C30. F0.001\n"
-            "X4. C40. F9999.999\n"
-            "G94 X5. F100.\n"
-            "X6.\n");
-}
-
-TEST(Fanuc30iWriter, RoundsInverseTimeDown) {
-  const auto motion = MotionCase{"XYZC"}.inverse({1, 0, 0, 10}, 12.34599).motion;
-
-  EXPECT_EQ(body(motion), "G93 G1 X1. Y0. Z0. C10. F12.345\n");
-  EXPECT_EQ(body(motion, bare_with("inverse_time_decimals", 1.0)),
-            "G93 G1 X1. Y0. Z0. C10. F12.3\n");
-  EXPECT_EQ(body(motion, bare_with("largest_inverse_time", 10.0)),
-            "G93 G1 X1. Y0. Z0. C10. F10.\n");
-}
-
-TEST(Fanuc30iWriter, LeavesInverseTimeForARapid) {
-  const auto motion = MotionCase{"XYZC"}
-                          .inverse({1, 0, 0, 10}, 5.0)
-                          .rapid({0, 0, 0, 0})
-                          .inverse({1, 0, 0, 1}, 5.0)
-                          .motion;
-
-  EXPECT_EQ(body(motion),
-            "G93 G1 X1. Y0. Z0. C10. F5.\n"
-            "G94 G0 X0. C0.\n"
-            "G93 G1 X1. C1. F5.\n");
-}
-
-TEST(Fanuc30iWriter, LeavesInverseTimeBeforeWhateverIsNoCuttingBlock) {
-  const path::ActionKind others[] = {path::Dwell{1.0},
-                                     path::TcpOn{},
-                                     path::TcpOff{},
-                                     path::SafeRetract{},
-                                     path::Stop{},
-                                     path::InsertedText{"M100"},
-                                     path::ToolCall{.number = 1},
-                                     path::ProgramEnd{}};
-  for (const auto& other : others) {
-    const auto motion = MotionCase{"XYZC"}.inverse({1, 0, 0, 10}, 5.0).act(other).motion;
-    const std::string nc = body(motion);
-    EXPECT_EQ(nc.find("\nG94\n"), nc.find('\n')) << nc;
-  }
-}
-
-TEST(Fanuc30iWriter, StatesTheFeedModeAgainAfterTextOfTheCaller) {
-  const auto motion = MotionCase{"XYZ"}
-                          .line({1, 0, 0}, 100.0)
-                          .act(path::InsertedText{"G93"})
-                          .line({2, 0, 0}, 100.0)
-                          .motion;
-
-  EXPECT_EQ(body(motion),
-            "G1 X1. Y0. Z0. F100.\n"
-            "G93\n"
-            "G94 G1 X2. Y0. Z0. F100.\n");
-}
-
-TEST(Fanuc30iWriter, WritesArcsWithIncrementalCentres) {
-  const auto motion = MotionCase{}
-                          .line({45, 25, -5, 0, 0}, 200.0)
-                          .arc(Kind::arc_counterclockwise, {25, 45, -5, 0, 0}, -20, 0, 200.0)
-                          .arc(Kind::arc_clockwise, {45, 25, -6, 0, 0}, 0, -20, 150.0)
-                          .line({45, 0, -6, 0, 0}, 150.0)
-                          .motion;
-
-  EXPECT_EQ(body(motion),
-            "G1 X45. Y25. Z-5. A0. C0. F200.\n"
-            "G3 X25. Y45. I-20. J0.\n"
-            "G2 X45. Y25. Z-6. I0. J-20. F150.\n"
-            "G1 Y0.\n");
-}
-
-TEST(Fanuc30iWriter, WritesEndAndCentreOfAFullCircle) {
-  const auto motion = MotionCase{"XYZ"}
-                          .line({10, 0, 0}, 200.0)
-                          .arc(Kind::arc_clockwise, {10, 0, 0}, -10, 0, 200.0)
-                          .motion;
-
-  EXPECT_EQ(body(motion),
-            "G1 X10. Y0. Z0. F200.\n"
-            "G2 X10. Y0. I-10. J0.\n");
-}
-
-TEST(Fanuc30iWriter, RefusesAnArcThatTurnsARotaryAxis) {
-  const auto motion = MotionCase{"XYZC"}
-                          .line({10, 0, 0, 0}, 200.0)
-                          .arc(Kind::arc_clockwise, {-10, 0, 0, 5}, -10, 0, 200.0)
-                          .motion;
-
-  EXPECT_EQ(sample::refused("fanuc-30i", motion).code, Code::not_in_dialect);
-}
-
-TEST(Fanuc30iWriter, LeavesRotaryWordsOutOfAnArcAfterAStop) {
-  const auto motion = MotionCase{"XYZC"}
-                          .line({10, 0, 0, 5}, 200.0)
-                          .act(path::Stop{})
-                          .arc(Kind::arc_clockwise, {-10, 0, 0, 5}, -10, 0, 200.0)
-                          .line({-20, 0, 0, 5}, 200.0)
-                          .motion;
-
-  EXPECT_EQ(body(motion),
-            "G1 X10. Y0. Z0. C5. F200.\n"
-            "M0\n"
-            "G2 X-10. Y0. I-10. J0. F200.\n"
-            "G1 X-20. Z0. C5.\n");
-}
-
-path::NativeCycle cycle(CycleKind kind) {
-  return {.kind = kind, .clearance_z = 2000, .bottom_z = -10500, .feed_mm_min = 120.0};
-}
-
-std::string one_hole(const path::NativeCycle& what) {
-  const auto motion =
-      MotionCase{"XYZ"}.act(what).hole({1, 2, -10.5}).act(path::NativeCycleEnd{}).motion;
-  const std::string nc = body(motion);
-  return nc.substr(0, nc.find('\n'));
-}
-
-TEST(Fanuc30iWriter, WritesEachCycleByItsWord) {
-  const auto with = [](CycleKind kind, std::int64_t peck, double dwell_s) {
-    auto what = cycle(kind);
-    what.peck = peck;
-    what.dwell_s = dwell_s;
-    return one_hole(what);
-  };
-  EXPECT_EQ(with(CycleKind::drill, 0, 0), "G99 G81 X1. Y2. Z-10.5 R2. F120.");
-  EXPECT_EQ(with(CycleKind::drill, 0, 0.5), "G99 G82 X1. Y2. Z-10.5 R2. P500 F120.");
-  EXPECT_EQ(with(CycleKind::face, 0, 0.25), "G99 G82 X1. Y2. Z-10.5 R2. P250 F120.");
-  EXPECT_EQ(with(CycleKind::deep, 3000, 0), "G99 G83 X1. Y2. Z-10.5 R2. Q3. F120.");
-  EXPECT_EQ(with(CycleKind::deep, 0, 0), "G99 G81 X1. Y2. Z-10.5 R2. F120.");
-  EXPECT_EQ(with(CycleKind::break_chip, 1500, 0), "G99 G73 X1. Y2. Z-10.5 R2. Q1.5 F120.");
-  EXPECT_EQ(with(CycleKind::tap, 0, 0), "G99 G84 X1. Y2. Z-10.5 R2. F120.");
-  EXPECT_EQ(with(CycleKind::tap_left, 0, 0), "G99 G74 X1. Y2. Z-10.5 R2. F120.");
-  EXPECT_EQ(with(CycleKind::bore, 0, 0), "G99 G85 X1. Y2. Z-10.5 R2. F120.");
-  EXPECT_EQ(with(CycleKind::bore, 0, 1), "G99 G89 X1. Y2. Z-10.5 R2. P1000 F120.");
-  EXPECT_EQ(with(CycleKind::ream, 0, 0), "G99 G85 X1. Y2. Z-10.5 R2. F120.");
-  EXPECT_EQ(with(CycleKind::bore_drag, 0, 0), "G99 G86 X1. Y2. Z-10.5 R2. F120.");
-}
-
-TEST(Fanuc30iWriter, RetractsToTheLevelBeforeTheCycleWithG98) {
-  auto what = cycle(CycleKind::drill);
-  what.retract_to_clearance = false;
-
-  EXPECT_EQ(one_hole(what), "G98 G81 X1. Y2. Z-10.5 R2. F120.");
-}
-
-// 381.6 mm/min at 477 rpm is the pitch of M5; rounded down it would be another thread.
-TEST(Fanuc30iWriter, DoesNotRoundTheFeedOfATapDown) {
-  auto what = cycle(CycleKind::tap);
-  what.feed_mm_min = 381.6;
-  EXPECT_EQ(one_hole(what), "G99 G84 X1. Y2. Z-10.5 R2. F381.6");
-  what.feed_mm_min = 333.3333;
-  EXPECT_EQ(one_hole(what), "G99 G84 X1. Y2. Z-10.5 R2. F333.333");
-}
-
-TEST(Fanuc30iWriter, WritesThePlaceOfEveryHoleAndEndsTheCycle) {
-  const auto motion = MotionCase{"XYZ"}
-                          .rapid({1, 2, 20})
-                          .act(cycle(CycleKind::drill))
-                          .hole({1, 2, -10.5})
-                          .hole({1, 2, -10.5})
-                          .hole({5, 2, -10.5})
-                          .hole({5, 2, -12})
-                          .act(path::NativeCycleEnd{})
-                          .line({5, 2, 30}, 120.0)
-                          .motion;
-
-  EXPECT_EQ(body(motion),
-            "G0 X1. Y2. Z20.\n"
-            "G99 G81 X1. Y2. Z-10.5 R2. F120.\n"
-            "X1. Y2.\n"
-            "X5. Y2.\n"
-            "X5. Y2. Z-12.\n"
-            "G80\n"
-            "G1 X5. Y2. Z30. F120.\n");
-}
-
-TEST(Fanuc30iWriter, EndsACycleBeforeAnyOtherMove) {
-  const auto motion =
-      MotionCase{"XYZ"}.act(cycle(CycleKind::drill)).hole({1, 2, -10.5}).rapid({1, 2, 30}).motion;
-
-  EXPECT_EQ(body(motion),
-            "G99 G81 X1. Y2. Z-10.5 R2. F120.\n"
-            "G80\n"
-            "G0 X1. Y2. Z30.\n");
-}
-
-TEST(Fanuc30iWriter, StartsTheNextCycleAfresh) {
-  const auto motion = MotionCase{"XYZ"}
-                          .act(cycle(CycleKind::drill))
-                          .hole({1, 2, -10.5})
-                          .act(cycle(CycleKind::tap))
-                          .hole({1, 2, -10.5})
-                          .act(path::NativeCycleEnd{})
-                          .motion;
-
-  EXPECT_EQ(body(motion),
-            "G99 G81 X1. Y2. Z-10.5 R2. F120.\n"
-            "G80\n"
-            "G99 G84 X1. Y2. Z-10.5 R2. F120.\n"
-            "G80\n");
-}
-
-TEST(Fanuc30iWriter, WritesNoCycleThatDrillsNothing) {
-  const auto motion =
-      MotionCase{"XYZ"}.act(cycle(CycleKind::drill)).act(path::NativeCycleEnd{}).motion;
-
-  EXPECT_EQ(body(motion), "");
-}
-
-TEST(Fanuc30iWriter, SwitchesTheToolLengthOnInTheFirstHoleIfNothingDidBefore) {
-  const auto motion =
-      MotionCase{"XYZ", Output::axes}.act(cycle(CycleKind::drill)).hole({1, 2, -10.5}).motion;
-
-  EXPECT_EQ(body(motion), "G43 G99 G81 X1. Y2. Z-10.5 H1 R2. F120.\n");
-}
-
-TEST(Fanuc30iWriter, TakesAHoleWithoutCycleForADefect) {
-  EXPECT_THROW(body(MotionCase{"XYZ"}.hole({1, 2, 3}).motion), std::logic_error);
-}
-
 TEST(Fanuc30iWriter, WritesSpindleStopsAndDwells) {
   using State = path::Spindle::State;
   const auto motion = MotionCase{"XYZ"}
@@ -478,15 +161,42 @@ TEST(Fanuc30iWriter, KeepsBracketsAndPercentOutOfComments) {
             "(50 FLAECHE ?)\n");
 }
 
+/// The line of a program's number.
+std::string number_line(const std::string& name, const machine::Options& options = {}) {
+  const auto nc =
+      sample::program("fanuc-30i", MotionCase{"XYZ"}.motion, options, sample::named(name));
+  return nc.substr(2, nc.find('\n', 2) - 2);
+}
+
 TEST(Fanuc30iWriter, NumbersTheProgramWithFourDigits) {
-  const auto second_line = [](double number, const std::string& name) {
-    const auto nc = sample::program("fanuc-30i", MotionCase{"XYZ"}.motion,
-                                    {{"program_number", number}}, sample::named(name));
-    return nc.substr(2, nc.find('\n', 2) - 2);
-  };
-  EXPECT_EQ(second_line(1, "Demo"), "O0001 (DEMO)");
-  EXPECT_EQ(second_line(1001, ""), "O1001");
-  EXPECT_EQ(second_line(42, "a)\n%\nO2(b"), "O0042 (A  O2B)");
+  EXPECT_EQ(number_line("Demo"), "O0001 (DEMO)");
+  EXPECT_EQ(number_line("", {{"program_number", 1001.0}}), "O1001");
+  EXPECT_EQ(number_line("a)\n%\nO2(b", {{"program_number", 42.0}}), "O0042 (A  O2B)");
+}
+
+TEST(Fanuc30iWriter, TakesANameThatIsANumberForTheProgramNumber) {
+  const machine::Options options{{"program_number", 42.0}};
+  EXPECT_EQ(number_line("1001", options), "O1001");
+  EXPECT_EQ(number_line("O1001", options), "O1001");
+  EXPECT_EQ(number_line("o7", options), "O0007");
+  EXPECT_EQ(number_line("0012", options), "O0012");
+  EXPECT_EQ(number_line("8999", options), "O8999");
+}
+
+// O9000 and up are locked against change on most controls.
+TEST(Fanuc30iWriter, KeepsANameThatIsNoFreeNumberAsAComment) {
+  const machine::Options options{{"program_number", 42.0}};
+  for (const char* const name : {"0", "O0000", "9000", "O9999", "10000", "00012", "O", "-12",
+                                 "1001A", "1001.5", "OO12", "12 34", "O 12"}) {
+    EXPECT_EQ(number_line(name, options), std::string{"O0042 ("} + name + ")");
+  }
+}
+
+TEST(Fanuc30iWriter, WritesANumberThatTheReaderTakes) {
+  const auto motion = MotionCase{"XYZ"}.rapid({1, 2, 3}).act(path::ProgramEnd{}).motion;
+  const auto nc = sample::program("fanuc-30i", motion, {}, sample::named("1001"));
+
+  EXPECT_EQ(sample::read_items("fanuc-30i", nc, "XYZ").message(), "");
 }
 
 TEST(Fanuc30iWriter, RefusesProgramNumbersThatTheControlHasNot) {
@@ -571,18 +281,6 @@ TEST(Fanuc30iWriter, TakesTheShopsLines) {
             "G43.4 H12 P1\nG49\nM100\nG91 G28 X0. Y0.\nG90\nM30\n%\n");
 }
 
-TEST(Fanuc30iWriter, WritesRapidsAsLinesOnRequest) {
-  machine::Options options = bare_with("rapid_as_line", true);
-  options["rapid_feed_mm_min"] = 15000.0;
-  const auto motion =
-      MotionCase{"XYZC"}.rapid({1, 0, 0, 0}).inverse({2, 0, 0, 5}, 7.0).rapid({3, 0, 0, 0}).motion;
-
-  EXPECT_EQ(body(motion, options),
-            "G1 X1. Y0. Z0. C0. F15000.\n"
-            "G93 X2. C5. F7.\n"
-            "G94 X3. C0. F15000.\n");
-}
-
 TEST(Fanuc30iWriter, SaysWhatItCan) {
   const auto abilities = nc::find_dialect("fanuc-30i")->abilities({});
 
@@ -602,16 +300,6 @@ TEST(Fanuc30iWriter, LeavesCyclesToTheShop) {
   ASSERT_TRUE(abilities.has_value());
   EXPECT_FALSE(abilities->native_cycles);
   EXPECT_TRUE(abilities->arcs_with_tcp);
-}
-
-TEST(Fanuc30iWriter, NumbersTensOfThousandsOfBlocksWithoutLosingOne) {
-  MotionCase many;
-  for (int i = 0; i < 100'000; ++i) many.line({i * 0.001, 0, -8, 11, 360}, 2000.0);
-
-  const std::string nc = body(many.motion);
-
-  EXPECT_EQ(std::ranges::count(nc, '\n'), 100'000);
-  EXPECT_TRUE(nc.ends_with("\nX99.999\n"));
 }
 
 }  // namespace

@@ -99,4 +99,35 @@ inline Problem refused(std::string_view dialect, const path::Motion& motion,
   return status.error();
 }
 
+/// Options of a program that is its blocks alone.
+inline const machine::Options bare{{"comments", false},
+                                   {"start_lines", std::vector<std::string>{}}};
+
+inline machine::Options bare_with(const std::string& name, machine::OptionValue value) {
+  machine::Options options = bare;
+  options[name] = std::move(value);
+  return options;
+}
+
+namespace fanuc {
+
+/// What stands between the program number and the last %.
+inline std::string body(const path::Motion& motion, const machine::Options& options = bare) {
+  const std::string nc = program("fanuc-30i", motion, options);
+  const auto first = nc.find('\n', 2) + 1;
+  return nc.substr(first, nc.rfind('%') - first);
+}
+
+}  // namespace fanuc
+
+namespace heidenhain {
+
+/// What stands between the first and the last line.
+inline std::string body(const path::Motion& motion, const machine::Options& options = bare) {
+  const std::string nc = program("heidenhain-iso", motion, options);
+  const auto first = nc.find('\n') + 1;
+  return nc.substr(first, nc.rfind('N') - first);
+}
+
+}  // namespace heidenhain
 }  // namespace pentapost::sample

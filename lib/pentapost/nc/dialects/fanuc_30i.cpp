@@ -4,6 +4,8 @@
 #include "pentapost/nc/fanuc_family.hpp"
 #include "pentapost/nc/options.hpp"
 
+#include <charconv>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,9 @@ namespace {
 /// Largest F in G93, 1/min (FANUC Series 16/18 operator's manual B-62764EN, 5. Feed functions).
 constexpr double largest_inverse_time = 9999.999;
 constexpr std::size_t longest_name = 30;
+constexpr std::size_t number_digits = 4;
+/// O9000 and up are the machine builder's, locked against change (bit NE9 of parameter 3202).
+constexpr int largest_free_number = 8999;
 
 CommonSettings default_settings() {
   CommonSettings defaults;
@@ -30,7 +35,8 @@ std::vector<OptionRow> all_rows() {
   std::vector<OptionRow> rows = common_rows(default_settings());
   rows.insert(
       rows.end(),
-      {{"program_number", 1.0, "number of the program, O0001 to O9999"},
+      {{"program_number", 1.0,
+        "number of a program whose name is no number from 1 to 8999, O0001 to O9999"},
        {"modal_words", true, "leave out axis words that do not change"},
        {"dwell_word", std::string{"P"}, "dwell: P in milliseconds or X in seconds"},
        {"inverse_time_decimals", 3.0, "decimals of F in G93, 0 to 4; rounded down"},
@@ -77,14 +83,30 @@ Result<Abilities> abilities(const machine::Options& given) {
   can.largest_inverse_time = options->settings.largest_inverse_time;
   can.helices = can.arcs;
   can.arcs_with_tcp = can.arcs && options->arcs_with_tcp;
+  can.retracts_with_tcp = true;  // by a parameter G49 moves the axes by the tool length
   can.native_cycles = options->native_cycles;
   return can;
 }
 
-std::string program_line(int number, std::string_view name) {
-  const std::string digits = std::to_string(number);
+/// The program number that a name like "1001" or "O1001" is; nullopt: it is a name.
+std::optional<int> number_of(std::string_view name) {
+  if (name.starts_with('O') || name.starts_with('o')) name.remove_prefix(1);
+  int number = 0;
+  const char* const end = name.data() + name.size();
+  const auto [stop, error] = std::from_chars(name.data(), end, number);
+  if (error != std::errc{} || stop != end || name.size() > number_digits || number < 1 ||
+      number > largest_free_number)
+    return std::nullopt;
+  return number;
+}
+
+/// @param otherwise  number of a program whose name is none; the name is a comment then.
+std::string program_line(int otherwise, std::string_view name) {
+  const auto number = number_of(name);
+  const std::string digits = std::to_string(number.value_or(otherwise));
   std::string line{"O"};
-  line.append(4 - digits.size(), '0').append(digits);
+  line.append(number_digits - digits.size(), '0').append(digits);
+  if (number) return line;
   const std::string title = fanuc_comment(name).substr(0, longest_name);
   if (!title.empty()) line.append(" (").append(title).append(")");
   return line;

@@ -1,6 +1,7 @@
 #include "pentapost/nc/dialects/heidenhain_iso.hpp"
 
 #include "pentapost/nc/axis_words.hpp"
+#include "pentapost/nc/common_blocks.hpp"
 #include "pentapost/nc/common_options.hpp"
 #include "pentapost/nc/options.hpp"
 #include "pentapost/nc/plain_text.hpp"
@@ -77,6 +78,7 @@ Result<Abilities> abilities(const machine::Options& given) {
   can.largest_feed = largest_feed;
   can.arcs_with_tcp = can.arcs && settings->arcs_with_tcp;
   can.adds_length_always = true;
+  can.retract_needs_tool = true;  // M140 goes along the tool axis that the tool call states
   return can;
 }
 
@@ -88,7 +90,8 @@ class Writer {
         settings_{settings},
         words_{motion, whole_digits, {.plus_sign = true}},
         feed_{settings.common.feed_decimals},
-        text_{out, settings.common.block_numbers, settings.closing_number - 1, "*"} {}
+        text_{out, settings.common.block_numbers, settings.closing_number - 1, "*"},
+        blocks_{settings.common, text_} {}
 
   void start(const path::ProgramHeader& header) {
     title_ = std::string{"%"} +
@@ -111,6 +114,7 @@ class Writer {
     text_.block(stop.optional ? "M01" : "M00");
     // The operator may do anything before going on.
     forget();
+    speed_rpm_.reset();
     return true;
   }
   bool act(const path::Comment& said, std::uint32_t) {
@@ -125,6 +129,7 @@ class Writer {
     else
       text_.block(text);
     forget();
+    speed_rpm_.reset();
     return true;
   }
   bool act(const path::ArcCentre& centre, std::uint32_t) {
@@ -132,20 +137,20 @@ class Writer {
     return true;
   }
   bool act(const path::TcpOn&, std::uint32_t) {
-    smoothing_on();
+    blocks_.smoothing_on();
     text_.blocks(settings_.common.tcp_on);
     lose_linear_position();
     return true;
   }
   bool act(const path::TcpOff&, std::uint32_t) {
     text_.blocks(settings_.common.tcp_off);
-    smoothing_off();
+    blocks_.smoothing_off();
     lose_linear_position();
     return true;
   }
   bool act(const path::SafeRetract&, std::uint32_t) {
     text_.blocks(settings_.common.safe_retract);
-    if (motion_.output == Output::axes) smoothing_off();
+    if (motion_.output == Output::axes) blocks_.smoothing_off();
     lose_linear_position();
     return true;
   }
@@ -154,7 +159,7 @@ class Writer {
   }
   bool act(const path::NativeCycleEnd&, std::uint32_t) { return true; }
   bool act(const path::ProgramEnd&, std::uint32_t) {
-    smoothing_off();
+    blocks_.smoothing_off();
     text_.blocks(settings_.common.end_lines);
     return true;
   }
@@ -170,6 +175,11 @@ class Writer {
   void write_code(std::string& out, MotionCode code);
   void comment(std::string_view said);
 
+  /// Whether there is no Problem; keeps one.
+  bool done(std::optional<Problem> problem) {
+    problem_ = std::move(problem);
+    return !problem_;
+  }
   bool refuse(Problem problem) {
     problem_ = std::move(problem);
     return false;
@@ -182,26 +192,18 @@ class Writer {
     forget();
     words_.lose_linear();
   }
-  void smoothing_on() {
-    if (!smoothing_is_on_) text_.blocks(settings_.common.smoothing_on);
-    smoothing_is_on_ = true;
-  }
-  void smoothing_off() {
-    if (smoothing_is_on_) text_.blocks(settings_.common.smoothing_off);
-    smoothing_is_on_ = false;
-  }
 
   const path::Motion& motion_;
   const Settings& settings_;
   AxisWords words_;
   FeedWord feed_;
   ProgramText text_;
+  CommonBlocks blocks_;
   std::optional<Problem> problem_;
   std::string title_;  ///< "%NAME G71 *", first and last line
   MotionCode code_ = MotionCode::unknown;
-  std::optional<std::int64_t> speed_rpm_;  ///< that the control holds
+  std::optional<double> speed_rpm_;  ///< that the control holds
   std::optional<path::ArcCentre> centre_;
-  bool smoothing_is_on_ = false;
 };
 
 bool Writer::write(const path::Block& block) {
@@ -229,8 +231,7 @@ bool Writer::write(const path::Block& block) {
 /// @param feed_mm_min  0 for G00, which has none.
 bool Writer::write_straight(const path::Block& block, MotionCode code, double feed_mm_min) {
   // Without TCP smoothing starts where the tool goes to the part: at its first linear move.
-  if (motion_.output == Output::axes && !smoothing_is_on_ && (block.stated & 0x7U) != 0)
-    smoothing_on();
+  if (motion_.output == Output::axes && (block.stated & 0x7U) != 0) blocks_.smoothing_on();
   std::string& out = text_.begin_block();
   write_code(out, code);
   words_.append(out, block, block.stated);
@@ -298,48 +299,25 @@ bool Writer::write_feed(std::string& out, double feed_mm_min, std::uint32_t cl_l
 
 bool Writer::act(const path::ToolCall& call, std::uint32_t cl_line) {
   if (call.number < 0 || call.number > largest_tool)
-    return refuse(refusal(
-        Code::out_of_domain,
-        std::string{"T"} + std::to_string(call.number) + " is not a tool that the control can call",
-        cl_line));
+    return refuse(uncallable("T" + std::to_string(call.number), cl_line));
   comment(call.name);
-  std::optional<std::int64_t> speed;
-  if (call.speed_rpm) speed = nearest_count(*call.speed_rpm, 0);
-  const std::string speed_word = speed ? std::string{"S"} + std::to_string(*speed) : std::string{};
-  bool speed_said = false;
-  for (const std::string& line : settings_.common.tool_change) {
-    speed_said = speed_said || line.find("{speed}") != std::string::npos;
-    text_.block(filled(filled(line, "{tool}", std::to_string(call.number)), "{speed}", speed_word));
-  }
-  speed_rpm_ = speed_said ? speed : std::nullopt;
+  speed_rpm_ = blocks_.change_tool(call);
   forget();
   words_.lose_all();
   return true;
 }
 
 bool Writer::act(const path::Spindle& spindle, std::uint32_t cl_line) {
-  using State = path::Spindle::State;
-  if (spindle.state == State::off) {
-    text_.block("M5");
-    return true;
-  }
-  std::string& out = text_.begin_block();
-  if (spindle.speed_rpm) {
-    const auto speed = nearest_count(*spindle.speed_rpm, 0);
-    if (!speed) return refuse(unwritable("S", *spindle.speed_rpm, "rpm", cl_line));
-    if (speed != speed_rpm_) append_whole_word(out, 'S', *speed);
-    speed_rpm_ = speed;
-  }
-  out += spindle.state == State::clockwise ? "M3 " : "M4 ";
-  text_.end_block();
-  return true;
+  path::Spindle unsaid = spindle;
+  if (spindle.speed_rpm == speed_rpm_)
+    unsaid.speed_rpm.reset();
+  else if (spindle.speed_rpm && spindle.state != path::Spindle::State::off)
+    speed_rpm_ = spindle.speed_rpm;
+  return done(blocks_.spindle(unsaid, cl_line));
 }
 
 bool Writer::act(const path::Coolant& coolant, std::uint32_t cl_line) {
-  const std::string* const code = coolant_code(settings_.common.coolant, coolant.state);
-  if (code == nullptr) return refuse(no_coolant_code(coolant.state, cl_line));
-  text_.block(*code);
-  return true;
+  return done(blocks_.coolant(coolant, cl_line));
 }
 
 bool Writer::act(const path::Dwell& dwell, std::uint32_t cl_line) {

@@ -1,4 +1,3 @@
-#include "pentapost/core/number_text.hpp"
 #include "pentapost/nc/readers/fanuc_program.hpp"
 
 #include <string>
@@ -66,7 +65,7 @@ bool dwells(int code) {
 }  // namespace
 
 bool Program::cycle_block() {
-  const bool drills = (left_ & (columns_.letter_bits() | letter_bit('R'))) != 0;
+  const bool drills = words_.any_left(columns_.letter_bits() | letter_bit('R'));
   // Without a position the control does nothing; Q, P and K then stay unread and are refused.
   if (!drills) return true;
   if (modes_.plane != 170)
@@ -83,7 +82,7 @@ bool Program::cycle_data() {
   if (!take_integer('K', repeats) || (!repeats && !take_integer('L', repeats))) return false;
   if (repeats && *repeats != 1)
     return items_.fail(Code::bad_cycle, "repeats of a canned cycle are not understood");
-  if (take('Q') && !length_of('Q', cycle_.peck_mm)) return false;
+  if (words_.take('Q') && !length_of('Q', cycle_.peck_mm)) return false;
   if (is_pecking(cycle_.code) && !(cycle_.peck_mm > 0.0))
     return items_.fail(Code::bad_cycle, "a pecking cycle without Q");
   std::optional<int> dwell_ms;
@@ -96,14 +95,14 @@ bool Program::cycle_data() {
 bool Program::cycle_levels() {
   if (!modes_.distance) return items_.fail(Code::not_in_dialect, "a cycle before G90 or G91");
   const bool absolute = modes_.distance == 900;
-  if (take('R')) {
+  if (words_.take('R')) {
     double level = 0.0;
     if (!length_of('R', level)) return false;
     if (!absolute && !cycle_.initial_z)
       return items_.fail(Code::bad_cycle, "R in G91 from a level that is not known");
     cycle_.clearance_z = absolute ? level : *cycle_.initial_z + level;
   }
-  if (take('Z')) {
+  if (words_.take('Z')) {
     double level = 0.0;
     if (!length_of('Z', level)) return false;
     if (!absolute && !cycle_.clearance_z) return items_.fail(Code::bad_cycle, "Z in G91 without R");
@@ -119,7 +118,7 @@ bool Program::cycle_levels() {
 bool Program::hole() {
   ReadMotion motion = started_motion(ReadMotion::Kind::drill);
   const std::size_t z = columns_.column_of('Z');
-  motion.stated = take_columns();
+  motion.stated = words_.take_columns(columns_);
   motion.position = columns_.position;
   for (std::size_t column = 0; column < columns_.size(); ++column)
     if ((motion.stated >> column & 1U) != 0 && !target(column, motion.position[column]))

@@ -1,7 +1,5 @@
-#include "pentapost/core/number_text.hpp"
 #include "pentapost/nc/readers/fanuc_program.hpp"
 
-#include <cmath>
 #include <string>
 
 namespace pentapost::nc::readers::fanuc {
@@ -11,18 +9,7 @@ namespace {
 /// true arc, in steps of 0.0001 inch or finer, are off by less.
 constexpr double largest_radius_mismatch_mm = 0.01;
 
-/// So little a rotary axis may be told to move in an arc block: rounding of sums in G91.
-constexpr double no_turn_deg = 1e-7;
-
 }  // namespace
-
-std::uint8_t Program::take_columns() {
-  std::uint8_t columns = 0;
-  if ((left_ & columns_.letter_bits()) == 0) return columns;
-  for (std::size_t column = 0; column < columns_.size(); ++column)
-    if (take(columns_.letter(column))) columns = static_cast<std::uint8_t>(columns | 1U << column);
-  return columns;
-}
 
 ReadMotion Program::started_motion(ReadMotion::Kind kind) const {
   ReadMotion motion;
@@ -68,8 +55,8 @@ bool Program::fill_feed(ReadMotion& motion) {
 bool Program::move() {
   const bool is_arc = modes_.motion == 20 || modes_.motion == 30;
   const bool arc_words =
-      (left_ & (letter_bit('I') | letter_bit('J') | letter_bit('R'))) != 0 && is_arc;
-  const std::uint8_t stated = take_columns();
+      is_arc && words_.any_left(letter_bit('I') | letter_bit('J') | letter_bit('R'));
+  const std::uint8_t stated = words_.take_columns(columns_);
   if (stated == 0 && !arc_words) return true;
   if (!modes_.motion)
     return items_.fail(Code::not_in_dialect, "axis words before G0, G1, G2 or G3");
@@ -93,85 +80,59 @@ bool Program::arc(ReadMotion& motion) {
     return items_.fail(Code::not_in_dialect, "an arc outside of the plane G17");
   // There F is the feed over the radius, not over the length (operator's manual, G93).
   if (modes_.feed_mode == 930) return items_.fail(Code::not_in_dialect, "an arc in G93");
-  const std::size_t x = columns_.column_of('X'), y = columns_.column_of('Y');
-  if (x == columns_.size() || y == columns_.size() || (columns_.known >> x & 1U) == 0 ||
-      (columns_.known >> y & 1U) == 0)
-    return items_.fail(Code::bad_arc, "an arc from a position that is not known");
-  const std::uint8_t in_arc =
-      static_cast<std::uint8_t>(columns_.bit_of('X') | columns_.bit_of('Y') | columns_.bit_of('Z'));
-  for (std::size_t column = 0; column < columns_.size(); ++column) {
-    if ((motion.stated & ~in_arc & 1U << column) == 0) continue;
-    const double turn = motion.position[column] - columns_.position[column];
-    if ((columns_.known >> column & 1U) == 0 || std::abs(turn) > no_turn_deg)
-      return items_.fail(Code::not_in_dialect,
-                         std::string{columns_.letter(column)} + " moves within an arc");
-  }
   motion.clockwise = modes_.motion == 20;
-  const PlanePoint start{columns_.position[x], columns_.position[y]};
-  const PlanePoint end{motion.position[x], motion.position[y]};
-  if (!arc_centre(start, end, motion)) return false;
-  if (is_same_point(start, end)) motion.whole_turns = 1;
-  return true;
+  ArcBlock arc_block{columns_, largest_radius_mismatch_mm, motion, items_};
+  return arc_block.open() && arc_centre(arc_block);
 }
 
-bool Program::arc_centre(PlanePoint start, PlanePoint end, ReadMotion& motion) {
-  PlanePoint centre = start;
-  if (take('R')) {
+bool Program::arc_centre(ArcBlock& arc_block) {
+  if (words_.take('R')) {
     double radius = 0.0;
-    if ((left_ & (letter_bit('I') | letter_bit('J'))) != 0)
+    if (words_.any_left(letter_bit('I') | letter_bit('J')))
       return items_.fail(Code::bad_arc, "an arc with both R and a centre");
-    if (!length_of('R', radius)) return false;
-    const auto found =
-        centre_from_radius(start, end, radius, motion.clockwise, largest_radius_mismatch_mm);
-    if (!found || radius == 0.0)
-      return items_.fail(Code::bad_arc,
-                         "no arc of radius " + number_text(radius) + " mm leads to this end point");
-    centre = *found;
-  } else {
-    // I and J count from the start point whatever G90 and G91 say; one left out is 0.
-    double i = 0.0, j = 0.0;
-    if (take('I') && !length_of('I', i)) return false;
-    if (take('J') && !length_of('J', j)) return false;
-    centre = {start.x + i, start.y + j};
-    if (is_same_point(start, centre)) return items_.fail(Code::bad_arc, "an arc without a centre");
-    const double mismatch = radius_mismatch_mm(start, end, centre);
-    if (mismatch > largest_radius_mismatch_mm)
-      return items_.fail(Code::bad_arc, "start and end of an arc differ by " +
-                                            number_text(mismatch, 4) +
-                                            " mm in their distance from the centre");
+    return length_of('R', radius) && arc_block.set_radius(radius);
   }
-  motion.centre_x_mm = centre.x;
-  motion.centre_y_mm = centre.y;
-  return true;
+  // I and J count from the start point whatever G90 and G91 say; one left out is 0.
+  double i = 0.0, j = 0.0;
+  if (words_.take('I') && !length_of('I', i)) return false;
+  if (words_.take('J') && !length_of('J', j)) return false;
+  return arc_block.set_centre({arc_block.start().x + i, arc_block.start().y + j});
 }
 
 bool Program::machine_move() {
-  if (is_tcp()) return items_.fail(Code::not_in_dialect, "G53 while G43.4 is on");
-  const std::uint8_t stated = take_columns();
+  const std::uint8_t stated = words_.take_columns(columns_);
   if (stated == 0) return true;
+  if (is_tcp() && stated != columns_.bit_of('Z'))
+    return items_.fail(Code::not_in_dialect, "G53 along other axes than Z while G43.4 is on");
   if (modes_.distance != 900) return items_.fail(Code::not_in_dialect, "G53 acts in G90 only");
   ReadMotion motion = started_motion(ReadMotion::Kind::rapid);
   motion.machine_frame = true;
   motion.stated = motion.known = stated;
   for (std::size_t column = 0; column < columns_.size(); ++column)
     if ((stated >> column & 1U) != 0 && !target(column, motion.position[column])) return false;
-  columns_.forget(stated);
+  forget_after_machine_move(stated);
   return items_.send(motion);
 }
 
+/// With G43.4 the linear words are the tip's, which any linear axis moves along all of them.
+void Program::forget_after_machine_move(std::uint8_t stated) {
+  columns_.forget(is_tcp() ? static_cast<std::uint8_t>(stated | columns_.linear()) : stated);
+}
+
 bool Program::reference_return() {
-  if (is_tcp()) return items_.fail(Code::not_in_dialect, "G28 while G43.4 is on");
-  const std::uint8_t stated = take_columns();
+  const std::uint8_t stated = words_.take_columns(columns_);
+  if (is_tcp() && stated != columns_.bit_of('Z'))
+    return items_.fail(Code::not_in_dialect, "G28 along other axes than Z while G43.4 is on");
   if (stated == 0) return items_.fail(Code::not_in_dialect, "G28 without an axis");
   for (std::size_t column = 0; column < columns_.size(); ++column) {
     // The way leads through the point stated: only the one where the axis is already is modelled.
     const char letter = columns_.letter(column);
-    if ((stated >> column & 1U) != 0 && (modes_.distance != 910 || (*words_)[letter] != 0.0))
+    if ((stated >> column & 1U) != 0 && (modes_.distance != 910 || words_[letter] != 0.0))
       return items_.fail(Code::not_in_dialect,
                          std::string{"G28 is understood as G91 G28 "} + letter + "0 only");
   }
   const std::uint8_t z = columns_.bit_of('Z');
-  columns_.forget(stated);
+  forget_after_machine_move(stated);
   if (stated == z) return items_.send(ReadSafeRetract{});
   ReadMotion motion = started_motion(ReadMotion::Kind::rapid);
   motion.machine_frame = true;

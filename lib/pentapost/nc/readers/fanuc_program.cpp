@@ -20,8 +20,7 @@ std::string g_text(int code) { return code_text('G', code / 10, code % 10); }
 }  // namespace
 
 bool Program::execute(const Words& words) {
-  words_ = &words;
-  left_ = words.stated;
+  words_.open(words);
   groups_ = 0;
   if (words.g_count != 0 && !(sort_codes() && set_modes())) return false;
   const auto special = asked(Group::one_shot);
@@ -31,6 +30,11 @@ bool Program::execute(const Words& words) {
   if ((asked(Group::length) || words.has('H')) && !set_length()) return false;
   const bool done = special ? one_shot(*special) : cycle_.code != 800 ? cycle_block() : move();
   return done && (words.m_count == 0 || after_motion()) && nothing_left();
+}
+
+bool Program::nothing_left() {
+  words_.drop(letter_bit('D'));  // a radius register acts with G41 and G42 only
+  return words_.nothing_left(items_);
 }
 
 bool Program::sort_codes() {
@@ -94,14 +98,14 @@ bool Program::set_modes() {
 bool Program::set_feed() {
   // In G93 a feed holds for its own block only.
   if (modes_.feed_mode == 930) modes_.feed.reset();
-  if (!take('F')) return true;
-  double feed = (*words_)['F'];
+  if (!words_.take('F')) return true;
+  double feed = words_['F'];
   if (!modes_.feed_mode)
     return items_.fail(Code::not_in_dialect, "F before one of G93, G94 and G95");
   if (!modes_.unit) return items_.fail(Code::not_in_dialect, "F before G20 or G21");
   if (!(feed > 0.0)) return items_.fail(Code::no_feed, "F" + number_text(feed) + " is no feed");
   modes_.feed_is_inch = modes_.unit == 200 && modes_.feed_mode != 930;
-  if ((words_->pointed & letter_bit('F')) == 0) {
+  if (!words_.is_pointed('F')) {
     if (modes_.feed_is_inch || modes_.feed_mode == 950)
       return items_.fail(Code::not_in_dialect,
                          "F without a decimal point in G20 or G95 depends on parameters");
@@ -134,7 +138,7 @@ bool Program::set_length() {
   if (const auto length = asked(Group::length)) modes_.length = *length;
   if (cycle_.code != 800)
     return items_.fail(Code::not_in_dialect, "a length offset within a canned cycle");
-  const bool any_axis_word = (left_ & columns_.letter_bits()) != 0;
+  const bool any_axis_word = words_.any_left(columns_.letter_bits());
   if (before == 434 && modes_.length != 434 && any_axis_word && asked(Group::one_shot) != 530)
     return items_.fail(Code::not_in_dialect, "axis words where tool centre point control ends");
   const bool same_register = !new_register || new_register == modes_.length_register;
@@ -149,10 +153,10 @@ bool Program::set_length() {
 }
 
 bool Program::before_motion() {
-  const bool new_speed = take('S');
+  const bool new_speed = words_.take('S');
   if (new_speed) {
-    const double speed = (*words_)['S'];
-    if ((words_->pointed & letter_bit('S')) != 0 || speed < 0.0)
+    const double speed = words_['S'];
+    if (words_.is_pointed('S') || speed < 0.0)
       return items_.fail(Code::bad_number, "S" + number_text(speed) + " is not a speed");
     modes_.spindle.speed_rpm = speed;
   }
@@ -180,7 +184,7 @@ bool Program::change_tool() {
   if (!modes_.tool) return items_.fail(Code::not_in_dialect, "M6 before any T");
   if (is_tcp() || cycle_.code != 800)
     return items_.fail(Code::not_in_dialect, "M6 while G43.4 or a canned cycle is on");
-  if ((left_ & columns_.letter_bits()) != 0)
+  if (words_.any_left(columns_.letter_bits()))
     return items_.fail(Code::not_in_dialect, "M6 and axis words in one block");
   columns_.forget(columns_.linear());  // the change takes the tool to its own place
   return items_.send(ReadTool{*modes_.tool});
@@ -208,25 +212,25 @@ bool Program::one_shot(int code) {
       return machine_move();
     case 40:
       // P counts milliseconds and X seconds: neither is a motion.
-      if (take('P') == take('X'))
+      if (words_.take('P') == words_.take('X'))
         return items_.fail(Code::not_in_dialect, "G4 takes one of P and X");
       return true;
     case 51:
-      if (!take('Q')) return items_.fail(Code::not_in_dialect, "G5.1 takes Q");
-      take('R');
+      if (!words_.take('Q')) return items_.fail(Code::not_in_dialect, "G5.1 takes Q");
+      words_.take('R');
       return true;
     default:  // G05, G08
-      if (!take('P')) return items_.fail(Code::not_in_dialect, g_text(code) + " takes P");
-      if (code == 50 && (*words_)['P'] != 0.0 && (*words_)['P'] != 10000.0)
+      if (!words_.take('P')) return items_.fail(Code::not_in_dialect, g_text(code) + " takes P");
+      if (code == 50 && words_['P'] != 0.0 && words_['P'] != 10000.0)
         return items_.fail(Code::not_in_dialect, "G5 takes P10000 or P0");
       return true;
   }
 }
 
 bool Program::take_integer(char letter, std::optional<int>& value) {
-  if (!take(letter)) return true;
-  const double number = (*words_)[letter];
-  if ((words_->pointed & letter_bit(letter)) != 0 || number < 0.0 || number > 99'999'999.0)
+  if (!words_.take(letter)) return true;
+  const double number = words_[letter];
+  if (words_.is_pointed(letter) || number < 0.0 || number > 99'999'999.0)
     return items_.fail(Code::bad_number,
                        std::string{letter} + number_text(number) + " must be a plain integer");
   value = static_cast<int>(number);
@@ -237,8 +241,8 @@ bool Program::length_of(char letter, double& length_mm) {
   if (!modes_.unit)
     return items_.fail(Code::not_in_dialect, std::string{letter} + " before G20 or G21");
   const bool inch = modes_.unit == 200;
-  double length = (*words_)[letter];
-  if ((words_->pointed & letter_bit(letter)) == 0) length /= inch ? 10'000.0 : 1'000.0;
+  double length = words_[letter];
+  if (!words_.is_pointed(letter)) length /= inch ? 10'000.0 : 1'000.0;
   if (inch) length *= mm_per_inch;
   constexpr double largest_mm = 999'999.999;  // nine digits of 0.001
   if (std::abs(length) > largest_mm)
@@ -249,21 +253,12 @@ bool Program::length_of(char letter, double& length_mm) {
 }
 
 bool Program::angle_of(char letter, double& angle_deg) {
-  angle_deg = (*words_)[letter];
-  if ((words_->pointed & letter_bit(letter)) == 0) angle_deg /= 1'000.0;
+  angle_deg = words_[letter];
+  if (!words_.is_pointed(letter)) angle_deg /= 1'000.0;
   constexpr double largest_deg = 999'999.999;
   if (std::abs(angle_deg) <= largest_deg) return true;
   return items_.fail(Code::bad_number, std::string{letter} + number_text(angle_deg) +
                                            " deg is out of the control's range");
-}
-
-bool Program::nothing_left() {
-  left_ &= ~letter_bit('D');  // a radius register acts with G41 and G42 only
-  if (left_ == 0) return true;
-  char letter = 'A';
-  while ((left_ & letter_bit(letter)) == 0) ++letter;
-  return items_.fail(Code::not_in_dialect, std::string{letter} + number_text((*words_)[letter]) +
-                                               " has no meaning that is understood in this block");
 }
 
 }  // namespace pentapost::nc::readers::fanuc

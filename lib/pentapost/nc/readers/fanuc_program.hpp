@@ -1,10 +1,10 @@
 #pragma once
 
+#include "pentapost/nc/readers/arc.hpp"
 #include "pentapost/nc/readers/axis_columns.hpp"
-#include "pentapost/nc/readers/circle.hpp"
 #include "pentapost/nc/readers/fanuc_codes.hpp"
 #include "pentapost/nc/readers/item_stream.hpp"
-#include "pentapost/nc/readers/words.hpp"
+#include "pentapost/nc/readers/open_words.hpp"
 
 #include <array>
 #include <optional>
@@ -62,13 +62,13 @@ class Program {
   // fanuc_motion.cpp
   bool move();
   bool arc(ReadMotion& motion);
-  bool arc_centre(PlanePoint start, PlanePoint end, ReadMotion& motion);
+  bool arc_centre(ArcBlock& arc_block);
   bool machine_move();
   bool reference_return();
+  void forget_after_machine_move(std::uint8_t stated);
   bool target(std::size_t column, double& value);
   bool fill_feed(ReadMotion& motion);
   ReadMotion started_motion(ReadMotion::Kind kind) const;
-  std::uint8_t take_columns();
 
   // fanuc_cycles.cpp
   bool cycle_block();
@@ -77,12 +77,6 @@ class Program {
   bool hole();
   void cancel_cycle() { cycle_ = {}; }
 
-  /// Marks a word as understood. @return false: the block has none.
-  bool take(char letter) {
-    const bool stated = (left_ & letter_bit(letter)) != 0;
-    left_ &= ~letter_bit(letter);
-    return stated;
-  }
   bool take_integer(char letter, std::optional<int>& value);
   bool length_of(char letter, double& length_mm);
   bool angle_of(char letter, double& angle_deg);
@@ -94,8 +88,7 @@ class Program {
   bool ended_ = false;
 
   // the block in execution
-  const Words* words_ = nullptr;
-  std::uint32_t left_ = 0;  ///< letters that nothing has taken yet
+  OpenWords words_;
   std::array<int, group_count> asked_{};
   std::uint32_t groups_ = 0;  ///< bits of the groups that the block states
 };

@@ -94,11 +94,7 @@ bool FanucText::store(Words& words, char letter, const char* begin) {
     return true;
   }
   if (letter == 'G' || letter == 'M') return store_code(words, letter, number, begin);
-  if (words.has(letter)) return fail("an address stands twice in a block", begin);
-  words.stated |= letter_bit(letter);
-  if (number.has_point) words.pointed |= letter_bit(letter);
-  words.number[static_cast<std::size_t>(letter - 'A')] = number.value();
-  return true;
+  return words.add(letter, number) || fail("an address stands twice in a block", begin);
 }
 
 bool FanucText::store_code(Words& words, char letter, const Decimal& number, const char* begin) {
@@ -159,9 +155,7 @@ void FanucText::line_feed() {
 }
 
 bool FanucText::fail(std::string_view what, const char* at, Code code) {
-  std::string message{what};
-  if (line_begin_ != end_) message += ", in " + quoted(line_begin_, at, end_);
-  return items_.fail(code, message);
+  return items_.fail_at(code, what, line_begin_, at, end_);
 }
 
 }  // namespace pentapost::nc::readers

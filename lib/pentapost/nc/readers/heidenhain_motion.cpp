@@ -11,21 +11,10 @@ namespace {
 /// mm."
 constexpr double largest_radius_mismatch_mm = 0.016;
 
-/// So little a rotary axis may be told to move in an arc block: rounding of sums in G91.
-constexpr double no_turn_deg = 1e-7;
-
 }  // namespace
 
-std::uint8_t Program::take_columns() {
-  std::uint8_t columns = 0;
-  if ((left_ & columns_.letter_bits()) == 0) return columns;
-  for (std::size_t column = 0; column < columns_.size(); ++column)
-    if (take(columns_.letter(column))) columns = static_cast<std::uint8_t>(columns | 1U << column);
-  return columns;
-}
-
 bool Program::value_of(char letter, bool is_length, double& value) {
-  value = (*words_)[letter];
+  value = words_[letter];
   if (is_length && is_inch_) value *= mm_per_inch;
   constexpr double largest = 99'999.9999;  // manual, technical information: (5, 4) places
   if (std::abs(value) <= largest) return true;
@@ -41,7 +30,7 @@ bool Program::set_pole() {
   };
   for (const auto& [letter, axis, pole_mm] :
        {Part{'I', 'X', modes_.pole_x_mm}, Part{'J', 'Y', modes_.pole_y_mm}}) {
-    if (!take(letter)) continue;
+    if (!words_.take(letter)) continue;
     double value = 0.0;
     if (!block_->distance)
       return items_.fail(Code::not_in_dialect, std::string{letter} + " before G90 or G91");
@@ -58,7 +47,7 @@ bool Program::set_pole() {
 }
 
 bool Program::move() {
-  const std::uint8_t stated = take_columns();
+  const std::uint8_t stated = words_.take_columns(columns_);
   if (stated == 0) return true;
   if (!modes_.motion)
     return items_.fail(Code::not_in_dialect, "axis words before G00, G01, G02 or G03");
@@ -139,51 +128,19 @@ bool Program::fill_feed(ReadMotion& motion) {
 bool Program::arc(ReadMotion& motion) {
   if (modes_.plane != 17)
     return items_.fail(Code::not_in_dialect, "an arc outside of the plane G17");
-  const auto ends = static_cast<std::uint8_t>(columns_.bit_of('X') | columns_.bit_of('Y'));
-  if (columns_.bit_of('X') == 0 || columns_.bit_of('Y') == 0 || (columns_.known & ends) != ends)
-    return items_.fail(Code::bad_arc, "an arc from a position that is not known");
-  const auto in_arc = static_cast<std::uint8_t>(ends | columns_.bit_of('Z'));
-  for (std::size_t column = 0; column < columns_.size(); ++column) {
-    if ((motion.stated & ~in_arc & 1U << column) == 0) continue;
-    const double turn = motion.position[column] - columns_.position[column];
-    if ((columns_.known >> column & 1U) == 0 || std::abs(turn) > no_turn_deg)
-      return items_.fail(Code::not_in_dialect,
-                         std::string{columns_.letter(column)} + " moves within an arc");
-  }
   motion.clockwise = modes_.motion == 2;
-  const std::size_t x = columns_.column_of('X'), y = columns_.column_of('Y');
-  const PlanePoint start{columns_.position[x], columns_.position[y]};
-  const PlanePoint end{motion.position[x], motion.position[y]};
-  if (!arc_centre(start, end, motion)) return false;
-  if (is_same_point(start, end)) motion.whole_turns = 1;
-  return true;
+  ArcBlock arc_block{columns_, largest_radius_mismatch_mm, motion, items_};
+  return arc_block.open() && arc_centre(arc_block);
 }
 
-bool Program::arc_centre(PlanePoint start, PlanePoint end, ReadMotion& motion) {
-  if (take('R')) {
+bool Program::arc_centre(ArcBlock& arc_block) {
+  if (words_.take('R')) {
     double radius = 0.0;
-    if (!value_of('R', true, radius)) return false;
-    const auto found =
-        centre_from_radius(start, end, radius, motion.clockwise, largest_radius_mismatch_mm);
-    if (!found || radius == 0.0)
-      return items_.fail(Code::bad_arc,
-                         "no arc of radius " + number_text(radius) + " mm leads to this end point");
-    motion.centre_x_mm = found->x;
-    motion.centre_y_mm = found->y;
-    return true;
+    return value_of('R', true, radius) && arc_block.set_radius(radius);
   }
   if (!modes_.pole_x_mm || !modes_.pole_y_mm)
     return items_.fail(Code::bad_arc, "an arc before its centre I, J");
-  const PlanePoint centre{*modes_.pole_x_mm, *modes_.pole_y_mm};
-  if (is_same_point(start, centre)) return items_.fail(Code::bad_arc, "an arc without a radius");
-  const double mismatch = radius_mismatch_mm(start, end, centre);
-  if (mismatch > largest_radius_mismatch_mm)
-    return items_.fail(Code::bad_arc, "start and end of an arc differ by " +
-                                          number_text(mismatch, 4) +
-                                          " mm in their distance from the centre");
-  motion.centre_x_mm = centre.x;
-  motion.centre_y_mm = centre.y;
-  return true;
+  return arc_block.set_centre({*modes_.pole_x_mm, *modes_.pole_y_mm});
 }
 
 }  // namespace pentapost::nc::readers::heidenhain

@@ -39,8 +39,7 @@ bool is_harmless_function(int code) {
 
 bool Program::execute(const Block& block) {
   block_ = &block;
-  words_ = &block.words;
-  left_ = words_->stated;
+  words_.open(block.words);
   preparation_ = -1;
   machine_datum_ = 0;
   new_speed_ = false;
@@ -53,7 +52,7 @@ bool Program::execute(const Block& block) {
     if (!set_feed() || !set_pole()) return false;
     if (!(block.retracts_fully ? retract() : move())) return false;
   }
-  return (words_->m_count == 0 || at_block_end()) && nothing_left();
+  return (words_->m_count == 0 || at_block_end()) && words_.nothing_left(items_);
 }
 
 bool Program::sort_codes() {
@@ -110,21 +109,21 @@ bool Program::sort_code(int code) {
 bool Program::preparatory_block() {
   switch (preparation_) {
     case 4:
-      if (!take('F')) return items_.fail(Code::not_in_dialect, "G4 takes the time as F");
+      if (!words_.take('F')) return items_.fail(Code::not_in_dialect, "G4 takes the time as F");
       return true;
     case 30:
     case 31:
-      left_ &= ~columns_.letter_bits();
+      words_.drop(columns_.letter_bits());
       return true;
     case 51:
-      take('T');
+      words_.take('T');
       return true;
     case 54:
       return shift_datum();
     case 99:
-      take('T');
-      take('L');
-      take('R');
+      words_.take('T');
+      words_.take('L');
+      words_.take('R');
       return true;
     default:
       return true;
@@ -212,21 +211,21 @@ bool Program::end_function(int code) {
 }
 
 bool Program::call_tool() {
-  if (take('S')) {
-    const double speed = (*words_)['S'];
+  if (words_.take('S')) {
+    const double speed = words_['S'];
     if (speed < 0.0)
       return items_.fail(Code::bad_number, "S" + number_text(speed) + " is not a speed");
     modes_.spindle.speed_rpm = speed;
     new_speed_ = true;
   }
   // With G51 and G99 the number only names a tool.
-  if (preparation_ >= 0 || !take('T')) return true;
-  const double number = (*words_)['T'];
+  if (preparation_ >= 0 || !words_.take('T')) return true;
+  const double number = words_['T'];
   constexpr double largest_number = 32767.0;
   if (number < 0.0 || number > largest_number || number != std::floor(number))
     return items_.fail(Code::bad_number, "T" + number_text(number) + " is not a tool number");
   if (modes_.tcp) return items_.fail(Code::not_in_dialect, "a tool call while M128 is on");
-  if ((left_ & columns_.letter_bits()) != 0)
+  if (words_.any_left(columns_.letter_bits()))
     return items_.fail(Code::not_in_dialect, "a tool call and axis words in one block");
   modes_.tool = static_cast<int>(number);
   columns_.forget(columns_.linear());  // the change takes the tool to its own place
@@ -238,7 +237,7 @@ bool Program::call_tool() {
 bool Program::shift_datum() {
   for (std::size_t column = 0; column < columns_.size(); ++column) {
     const char letter = columns_.letter(column);
-    if (!take(letter)) continue;
+    if (!words_.take(letter)) continue;
     double shift = 0.0;
     if (!block_->distance)
       return items_.fail(Code::not_in_dialect, std::string{letter} + " before G90 or G91");
@@ -253,8 +252,8 @@ bool Program::shift_datum() {
 }
 
 bool Program::set_feed() {
-  if (!take('F')) return true;
-  const double feed = (*words_)['F'];
+  if (!words_.take('F')) return true;
+  const double feed = words_['F'];
   constexpr double largest_feed = 99'999.999;
   if (feed < 0.0 || feed > largest_feed)
     return items_.fail(Code::bad_number,
@@ -265,18 +264,10 @@ bool Program::set_feed() {
 }
 
 bool Program::retract() {
-  if ((left_ & columns_.letter_bits()) != 0)
+  if (words_.any_left(columns_.letter_bits()))
     return items_.fail(Code::not_in_dialect, "M140 and axis words in one block");
   columns_.forget(columns_.linear());  // along the tool axis, wherever that points
   return items_.send(ReadSafeRetract{});
-}
-
-bool Program::nothing_left() {
-  if (left_ == 0) return true;
-  char letter = 'A';
-  while ((left_ & letter_bit(letter)) == 0) ++letter;
-  return items_.fail(Code::not_in_dialect, std::string{letter} + number_text((*words_)[letter]) +
-                                               " has no meaning that is understood in this block");
 }
 
 }  // namespace pentapost::nc::readers::heidenhain

@@ -1,9 +1,10 @@
 #pragma once
 
+#include "pentapost/nc/readers/arc.hpp"
 #include "pentapost/nc/readers/axis_columns.hpp"
-#include "pentapost/nc/readers/circle.hpp"
 #include "pentapost/nc/readers/heidenhain_text.hpp"
 #include "pentapost/nc/readers/item_stream.hpp"
+#include "pentapost/nc/readers/open_words.hpp"
 
 #include <array>
 #include <optional>
@@ -46,7 +47,6 @@ class Program {
   bool call_tool();
   bool shift_datum();
   bool set_feed();
-  bool nothing_left();
   bool retract();
 
   // heidenhain_motion.cpp
@@ -56,16 +56,10 @@ class Program {
   bool targets(std::uint8_t stated, ReadMotion& motion);
   bool turns_are_certain(const ReadMotion& motion);
   bool arc(ReadMotion& motion);
-  bool arc_centre(PlanePoint start, PlanePoint end, ReadMotion& motion);
+  bool arc_centre(ArcBlock& arc_block);
   bool fill_feed(ReadMotion& motion);
   bool value_of(char letter, bool is_length, double& value);
-  std::uint8_t take_columns();
 
-  bool take(char letter) {
-    const bool stated = (left_ & letter_bit(letter)) != 0;
-    left_ &= ~letter_bit(letter);
-    return stated;
-  }
   bool is_relative(char letter) const { return (words_->relative & letter_bit(letter)) != 0; }
 
   AxisColumns columns_;
@@ -76,8 +70,7 @@ class Program {
 
   // the block in execution
   const Block* block_ = nullptr;
-  const Words* words_ = nullptr;
-  std::uint32_t left_ = 0;  ///< letters that nothing has taken yet
+  OpenWords words_;
   int preparation_ = -1;    ///< G code that gives the words another meaning than a motion; -1: none
   bool new_speed_ = false;  ///< S in this block
   int machine_datum_ = 0;   ///< 91 or 92 in a block with M91 or M92

@@ -183,11 +183,8 @@ bool Text::store(Block& block, char letter, const Decimal& number, const char* b
     return true;
   }
   Words& words = block.words;
-  if (words.has(letter)) return fail("an address stands twice in a block", begin);
-  words.stated |= letter_bit(letter);
-  if (number.has_point) words.pointed |= letter_bit(letter);
+  if (!words.add(letter, number)) return fail("an address stands twice in a block", begin);
   if (distance_ == 91) words.relative |= letter_bit(letter);
-  words.number[static_cast<std::size_t>(letter - 'A')] = number.value();
   return true;
 }
 
@@ -242,9 +239,7 @@ void Text::skip_blanks() {
 }
 
 bool Text::fail(std::string_view what, const char* at, Code code) {
-  std::string message{what};
-  if (line_begin_ != end_) message += ", in " + quoted(line_begin_, at, end_);
-  return items_.fail(code, message);
+  return items_.fail_at(code, what, line_begin_, at, end_);
 }
 
 }  // namespace pentapost::nc::readers::heidenhain

@@ -2,10 +2,24 @@
 
 #include "pentapost/nc/reader.hpp"
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace pentapost::nc::readers {
+
+/// The text around `at`, fit for a message: printable ASCII of its line, at most 40 characters to
+/// each side.
+inline std::string quoted(const char* line_begin, const char* at, const char* end) {
+  constexpr std::ptrdiff_t most_characters = 40;
+  const char* first = at - line_begin > most_characters ? at - most_characters : line_begin;
+  std::string out = first == line_begin ? "'" : "'...";
+  for (; first != end && first - at < most_characters && *first != '\n' && *first != '\r'; ++first)
+    out += *first >= ' ' && *first <= '~' ? *first : '?';
+  const bool is_cut = first != end && *first != '\n' && *first != '\r';
+  return out + (is_cut ? "...'" : "'");
+}
 
 /// Hands items on, and keeps the Problem that ended the reading. Its functions give false on a
 /// Problem, so that a block costs no Status.
@@ -34,6 +48,13 @@ class ItemStream {
     return false;
   }
 
+  /// fail() with the text around `at`, of the line that begins at `line_begin`.
+  bool fail_at(Code code, std::string_view what, const char* line_begin, const char* at,
+               const char* end) {
+    if (line_begin == end) return fail(code, what);
+    return fail(code, std::string{what} + ", in " + quoted(line_begin, at, end));
+  }
+
   Problem take_problem() { return std::move(problem_); }
 
  private:
@@ -41,17 +62,5 @@ class ItemStream {
   ReadItem item_;
   Problem problem_{.code = Code::not_in_dialect, .message = {}};
 };
-
-/// The text around `at`, fit for a message: printable ASCII of its line, at most 40 characters to
-/// each side.
-inline std::string quoted(const char* line_begin, const char* at, const char* end) {
-  constexpr std::ptrdiff_t most_characters = 40;
-  const char* first = at - line_begin > most_characters ? at - most_characters : line_begin;
-  std::string out = first == line_begin ? "'" : "'...";
-  for (; first != end && first - at < most_characters && *first != '\n' && *first != '\r'; ++first)
-    out += *first >= ' ' && *first <= '~' ? *first : '?';
-  const bool is_cut = first != end && *first != '\n' && *first != '\r';
-  return out + (is_cut ? "...'" : "'");
-}
 
 }  // namespace pentapost::nc::readers

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "pentapost/nc/readers/decimal.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +27,14 @@ struct Words {
 
   bool has(char letter) const { return (stated & letter_bit(letter)) != 0; }
   double operator[](char letter) const { return number[static_cast<std::size_t>(letter - 'A')]; }
+  /// False: the block has a word with this address already.
+  bool add(char letter, const Decimal& word) {
+    if (has(letter)) return false;
+    stated |= letter_bit(letter);
+    if (word.has_point) pointed |= letter_bit(letter);
+    number[static_cast<std::size_t>(letter - 'A')] = word.value();
+    return true;
+  }
   bool is_empty() const { return stated == 0 && g_count == 0 && m_count == 0; }
 
   void clear(std::uint32_t text_line) {
