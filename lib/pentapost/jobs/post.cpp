@@ -80,6 +80,8 @@ plan::Settings settings_of(const PostJob& job, const Control& control) {
   settings.inverse_time = can.inverse_time;
   settings.largest_inverse_time = can.largest_inverse_time;
   settings.adds_length_always = can.adds_length_always;
+  settings.retracts_with_tcp = can.retracts_with_tcp;
+  settings.retract_needs_tool = can.retract_needs_tool;
   settings.arcs = can.arcs;
   settings.helices = can.helices;
   settings.arcs_with_tcp = can.arcs_with_tcp;

@@ -86,8 +86,14 @@ class Cutting {
                                                  : pole_axis(model_, pole);
   }
 
+  /// Where the tool is once the move to `point` is done: over a hole at its retract level.
+  const Vec3& reached_mm(std::uint32_t point) const {
+    return tool_path_.move[point] == path::Move::hole ? hole_retract_mm_
+                                                      : tool_path_.tip_wp_mm[point];
+  }
+
   path::Segment segment_to(std::uint32_t point) const {
-    return {tool_path_.tip_wp_mm[point - 1], planned_axis(point - 1), tool_path_.tip_wp_mm[point],
+    return {reached_mm(point - 1), planned_axis(point - 1), tool_path_.tip_wp_mm[point],
             planned_axis(point), frame_.arc()};
   }
 
@@ -135,8 +141,7 @@ class Cutting {
   std::optional<Status> cut_plainly(std::uint32_t point, const RotaryPair& arrival) {
     if (frame_.arc() != nullptr || turn_before_move_ || pending_rewind_ || crosses(point))
       return std::nullopt;
-    const Vec3 &tip_from_mm = tool_path_.tip_wp_mm[point - 1],
-               &tip_to_mm = tool_path_.tip_wp_mm[point];
+    const Vec3 &tip_from_mm = reached_mm(point - 1), &tip_to_mm = tool_path_.tip_wp_mm[point];
     auto end = maker_.posture(tip_to_mm, arrival, tool_path_.cl_line[point]);
     if (!end) return std::move(end).error();
     const double length_mm = (tip_to_mm - tip_from_mm).norm();
@@ -157,14 +162,16 @@ class Cutting {
   }
 
   RetractPlace place_of(std::uint32_t point) const {
-    return {tool_path_.tip_wp_mm[point], tool_path_.axis_wp[point], point,
-            tool_path_.cl_line[point]};
+    return {reached_mm(point), tool_path_.axis_wp[point], point, tool_path_.cl_line[point]};
   }
 
   Status rapid_to(std::uint32_t point, const RotaryPair& arrival) {
     if (pending_rewind_) return rapid_by_safe_end(point, arrival);
-    if (settings_.output == Output::axes && !same(rotary_, arrival))
-      return rapid_in_parts(point, arrival) ? ok() : rapid_by_safe_end(point, arrival);
+    if (settings_.output == Output::axes && !same(rotary_, arrival)) {
+      auto status = rapid_in_parts(point, arrival);
+      if (status || status.error().code == Code::too_large) return status;
+      return rapid_by_safe_end(point, arrival);
+    }
     if (crosses(point)) ++crossing_;
     turn_before_move_.reset();  // the rapid turns the axis on its way
     return rapid_block(point, arrival);
@@ -181,7 +188,8 @@ class Cutting {
 
   /// With joint values for words a turning rapid would take the tool off its line by far, and into
   /// the part: it is divided like a cut, though not as finely.
-  /// @return a Problem, and nothing written, where the machine cannot follow the line.
+  /// @return a Problem, and nothing written, where the machine cannot follow the line, or
+  /// too_large.
   Status rapid_in_parts(std::uint32_t point, const RotaryPair& arrival) {
     Settings coarse = settings_;
     coarse.tip_tolerance_mm = std::max(settings_.tip_tolerance_mm, rapid_tolerance_mm);
@@ -196,6 +204,7 @@ class Cutting {
         return status;
       from = ends_.back().posture;
     }
+    if (is_too_large(ends_.size())) return too_large(tool_path_.cl_line[point]);
     for (const Waypoint& end : ends_) {
       Block& block = frame_.add_block(end.posture, point, Block::Kind::rapid);
       block.fraction = end.fraction;
@@ -229,6 +238,8 @@ class Cutting {
     if (!above) return std::move(above).error();
     posture_ = *above;
     rotary_ = arrival;
+    hole_retract_mm_ =
+        tool_path_.tip_wp_mm[point] + frame_.cycle()->clearance_mm * tool_path_.axis_wp[point];
     return ok();
   }
 
@@ -324,7 +335,7 @@ class Cutting {
             linearise(model_, settings_, maker_, segment, part, posture_, slack_rad_, line, ends_);
         !status)
       return status;
-    if (program_.inserted_points + ends_.size() > largest_inserted_count) return too_large(line);
+    if (is_too_large(ends_.size())) return too_large(line);
     double fraction = part.fraction_from;
     for (const Waypoint& end : ends_) {
       const bool is_point = end.fraction == 1.0;
@@ -346,6 +357,10 @@ class Cutting {
     return ok();
   }
 
+  bool is_too_large(std::size_t more) const {
+    return program_.inserted_points + more > largest_inserted_count;
+  }
+
   static Problem too_large(std::uint32_t line) {
     return {.code = Code::too_large,
             .message = "the path up to CL line " + std::to_string(line) + " needs more than " +
@@ -356,6 +371,7 @@ class Cutting {
 
   Status write_arc(std::uint32_t point, const path::Segment& segment,
                    const std::vector<ArcPiece>& pieces) {
+    if (is_too_large(pieces.size())) return too_large(tool_path_.cl_line[point]);
     double fraction = 0.0;
     for (const ArcPiece& piece : pieces) {
       frame_.act(piece.centre, tool_path_.cl_line[point]);
@@ -383,7 +399,7 @@ class Cutting {
         pending_rewind_ = departure_->turns_rad;
       } else if (departure_->retract) {
         if (auto status = reposition(place_of(point), departure_->pair); !status) return status;
-      } else {
+      } else if (!same(rotary_, departure_->pair)) {
         turn_before_move_ = departure_->pair;
       }
     }
@@ -438,8 +454,9 @@ class Cutting {
   std::vector<AxisPath::Departure>::const_iterator departure_;
   std::vector<AxisPath::Crossing>::const_iterator crossing_;
   std::vector<Waypoint> ends_;
-  RotaryPair rotary_;  ///< exact values at the end of the last block
-  Posture posture_;    ///< as printed there
+  RotaryPair rotary_;                    ///< exact values at the end of the last block
+  Posture posture_;                      ///< as printed there
+  Vec3 hole_retract_mm_ = Vec3::Zero();  ///< of the last hole
   std::optional<RotaryPair> turn_before_move_;
   std::optional<double> pending_rewind_;
 };

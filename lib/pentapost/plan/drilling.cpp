@@ -65,7 +65,11 @@ Result<Posture> drill(const path::ToolPath& tool_path, std::uint32_t point,
     return Problem{.code = Code::no_feed,
                    .message = "the hole at CL line " + std::to_string(line) + " has no feed",
                    .cl_line = line};
-  if (rotary_moves) frame.position_rotary(*clear, point);
+  if (rotary_moves) {
+    // A table that turns under the tool would swing the part into it.
+    frame.leave();
+    frame.approach(*clear, std::nullopt, point, false).on_path = false;
+  }
   path::NativeCycle native;
   native.kind = cycle.kind;
   native.clearance_z = clear->word[z_column];

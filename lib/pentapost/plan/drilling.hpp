@@ -19,7 +19,7 @@ std::function<bool(std::uint32_t point)> native_holes(const kinematics::Model& m
                                                       const path::ToolPath& tool_path,
                                                       const Settings& settings);
 
-/// Writes the hole of the cycle that is on. Brings the rotary axes there first.
+/// Writes the hole of the cycle that is on. Brings the rotary axes there first, from the safe end.
 /// @return the posture at the retract level.
 Result<Posture> drill(const path::ToolPath& tool_path, std::uint32_t point,
                       const RotaryPair& rotary, bool rotary_moves, BlockMaker& maker, Frame& frame);

@@ -101,7 +101,8 @@ Status FeedRule::set_in_place(path::Block& block, const Posture& from, const Pos
     time_min =
         std::max(time_min, std::hypot(first_rad, second_rad) / settings_.rotary_feed_rad_min);
   }
-  if (settings_.inverse_time) {
+  // With TCP the control's own feed per minute serves: degrees a minute where the tip rests.
+  if (settings_.inverse_time && settings_.output == Output::axes) {
     set_inverse_time(block, time_min);
     return ok();
   }

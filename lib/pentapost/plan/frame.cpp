@@ -29,7 +29,9 @@ void Frame::start_cycle(const path::NativeCycle& cycle, std::uint32_t cl_line) {
   native_cycle_ = cycle;
 }
 
-void Frame::start() { safe_retract(); }
+void Frame::start() {
+  if (!settings_.retract_needs_tool) safe_retract();
+}
 
 void Frame::tcp_on() {
   if (tcp_ || settings_.output != Output::tcp || model_.rotary_count == 0) return;
@@ -51,6 +53,7 @@ void Frame::safe_retract() {
 
 void Frame::leave() {
   end_cycle(0);
+  if (settings_.retracts_with_tcp) safe_retract();
   tcp_off();
   safe_retract();
 }
@@ -79,7 +82,7 @@ void Frame::begin_sequence(const Sequence& sequence) {
 
 void Frame::change_tool(const path::ToolChange& change, std::uint32_t cl_line) {
   if (tool_ && keeps_tool(*tool_, change)) return;
-  leave();
+  if (tool_ || !settings_.retract_needs_tool) leave();
   if (coolant_.state != path::Coolant::State::off) act(path::Coolant{}, cl_line);
   if (spindle_written_ && spindle_.state != path::Spindle::State::off)
     act(path::Spindle{}, cl_line);
@@ -88,6 +91,7 @@ void Frame::change_tool(const path::ToolChange& change, std::uint32_t cl_line) {
                      .speed_rpm = speed_ahead(),
                      .name = change.name},
       cl_line);
+  safe_retract();
   if (coolant_.state != path::Coolant::State::off) act(coolant_, cl_line);
   spindle_written_ = false;
   tool_ = change;
@@ -204,8 +208,8 @@ std::optional<std::size_t> Frame::column_along_tool() const {
   return std::nullopt;
 }
 
-void Frame::approach(const Posture& posture, const std::optional<Posture>& above,
-                     std::uint32_t point, bool by_feed) {
+Block& Frame::approach(const Posture& posture, const std::optional<Posture>& above,
+                       std::uint32_t point, bool by_feed) {
   position_rotary(posture, point);
   tcp_on();
   // The tool comes down along its axis: on a linear axis of the machine alone where there is one.
@@ -220,6 +224,7 @@ void Frame::approach(const Posture& posture, const std::optional<Posture>& above
     block.feed_mode = Block::Feed::per_minute;
     block.feed = *feed_mm_min_;
   }
+  return block;
 }
 
 bool Frame::spindle_is_missing() {

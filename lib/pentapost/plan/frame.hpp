@@ -26,8 +26,9 @@ class Frame {
   /// From the safe height to the first point: rotary axes with the tool retracted, then TCP on,
   /// then the tool down along its axis to the point.
   /// @param above  a posture from which it comes down; nullopt: there is no room for one.
-  void approach(const Posture& posture, const std::optional<Posture>& above, std::uint32_t point,
-                bool by_feed);
+  /// @return the block that ends at the posture.
+  path::Block& approach(const Posture& posture, const std::optional<Posture>& above,
+                        std::uint32_t point, bool by_feed);
   /// Whether the tool cuts though the CL data never started the spindle for it; true once a tool.
   bool spindle_is_missing();
   /// Events before the move to `point`.

@@ -75,7 +75,7 @@ class Division {
 
   /// The deviation of a smooth block falls with the square of its length.
   Status divide_evenly(const Place& from, const Place& to, double excess, int depth) {
-    const int count = std::clamp(static_cast<int>(std::ceil(std::sqrt(excess))), 2, 16);
+    const int count = static_cast<int>(std::clamp(std::ceil(std::sqrt(excess)), 2.0, 16.0));
     Place start = from;
     for (int i = 1; i <= count; ++i) {
       Place end = to;

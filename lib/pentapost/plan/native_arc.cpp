@@ -11,6 +11,8 @@ namespace {
 
 constexpr double direction_tolerance = 1e-9;  ///< of unit vectors that are to be the same
 constexpr double largest_single_sweep_rad = 350.0 * rad_per_deg;
+/// Far above any real need, so that no input exhausts the memory.
+constexpr double largest_sweep_rad = 1e5 * pi;
 
 /// How a displacement of the tip shows in the linear words; nullopt: not as a rigid motion.
 std::optional<Mat3> words_from_tip(const kinematics::Model& model, const Settings& settings,
@@ -56,6 +58,7 @@ std::optional<std::vector<ArcPiece>> native_arc(const kinematics::Model& model,
   const bool clockwise = normal_words.z() * turn->determinant() < 0.0;
 
   const double sweep_rad = segment.sweep_rad();
+  if (!(sweep_rad <= largest_sweep_rad)) return std::nullopt;
   const int count =
       sweep_rad > largest_single_sweep_rad ? static_cast<int>(std::ceil(sweep_rad / pi)) : 1;
   std::vector<ArcPiece> pieces;

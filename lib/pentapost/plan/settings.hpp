@@ -31,6 +31,9 @@ struct Settings {
   bool helices = false;             ///< arcs that move along Z as well
   bool arcs_with_tcp = false;       ///< arcs while TCP is on
   bool native_cycles = false;
+  /// TCP ends after the safe retract: its end may move the axes by the tool length.
+  bool retracts_with_tcp = false;
+  bool retract_needs_tool = false;   ///< no safe retract before the first tool call
   int feed_decimals = 0;             ///< of feeds per minute
   double largest_feed = 0.0;         ///< per minute; 0: no bound
   double rotary_feed_rad_min = 0.0;  ///< for turning in place where no limit gives one; 0: none
