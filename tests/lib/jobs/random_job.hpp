@@ -358,7 +358,7 @@ class RandomJob {
              "MMPM, 150.0, CLEAR, 2.0\n";
     const int count = whole(1, 4);
     for (int i = 0; i < count; ++i) {
-      if (chance(0.1)) axis_ = (axis_ + 0.2 * random_axis(random_)).normalized();
+      if (chance(0.3)) axis_ = (axis_ + 0.2 * random_axis(random_)).normalized();
       const Vec3 beside = axis_.cross(random_axis(random_));
       add_goto(tip_mm_ + 10.0 * beside, axis_);
     }
