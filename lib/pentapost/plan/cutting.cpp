@@ -79,11 +79,15 @@ class Cutting {
   }
 
  private:
-  /// The axis as planned: exactly the pole where the point is taken as the pole.
+  std::uint8_t pole_at(std::uint32_t point) const {
+    return axis_path_.pole[point - axis_path_.range.begin];
+  }
+  /// Whether the point is taken as the pole.
+  bool is_pole(std::uint32_t point) const {
+    return pole_at(point) != 0 && model_.rotary_count == 2;
+  }
   Vec3 planned_axis(std::uint32_t point) const {
-    const std::uint8_t pole = axis_path_.pole[point - axis_path_.range.begin];
-    return pole == 0 || model_.rotary_count != 2 ? tool_path_.axis_wp[point]
-                                                 : pole_axis(model_, pole);
+    return is_pole(point) ? pole_axis(model_, pole_at(point)) : tool_path_.axis_wp[point];
   }
 
   /// Where the tool is once the move to `point` is done: over a hole at its retract level.
@@ -92,9 +96,14 @@ class Cutting {
                                                       : tool_path_.tip_wp_mm[point];
   }
 
-  path::Segment segment_to(std::uint32_t point) const {
-    return {reached_mm(point - 1), planned_axis(point - 1), tool_path_.tip_wp_mm[point],
-            planned_axis(point), frame_.arc()};
+  PlannedMove planned_move(std::uint32_t point) const {
+    const Vec3 &from_mm = reached_mm(point - 1), &to_mm = tool_path_.tip_wp_mm[point];
+    PlannedMove move{.cl = {from_mm, tool_path_.axis_wp[point - 1], to_mm,
+                            tool_path_.axis_wp[point], frame_.arc()}};
+    if (is_pole(point - 1) || is_pole(point))
+      move.by_pole.emplace(from_mm, planned_axis(point - 1), to_mm, planned_axis(point),
+                           frame_.arc());
+    return move;
   }
 
   void warn_of_spindle(std::uint32_t point) {
@@ -117,14 +126,14 @@ class Cutting {
         break;
     }
     if (auto done = cut_plainly(point, arrival)) return *std::move(done);
-    const path::Segment segment = segment_to(point);
-    account(segment.length_mm());
+    const PlannedMove move = planned_move(point);
+    account(move.cl.length_mm());
     if (same(rotary_, arrival) && !crosses(point)) {
-      if (const auto pieces = native_arc(model_, settings_, maker_, segment, rotary_, posture_,
-                                         tool_path_.cl_line[point]))
-        return write_arc(point, segment, *pieces);
+      if (const auto pieces = native_arc(model_, settings_, maker_, move.planned(), rotary_,
+                                         posture_, tool_path_.cl_line[point]))
+        return write_arc(point, move.cl, *pieces);
     }
-    return cut(point, segment, arrival);
+    return cut(point, move, arrival);
   }
 
   bool crosses(std::uint32_t point) const {
@@ -145,9 +154,9 @@ class Cutting {
     auto end = maker_.posture(tip_to_mm, arrival, tool_path_.cl_line[point]);
     if (!end) return std::move(end).error();
     const double length_mm = (tip_to_mm - tip_from_mm).norm();
-    if (!plain_block_.suffices(
-            {tip_from_mm, planned_axis(point - 1), tip_to_mm, planned_axis(point), length_mm},
-            posture_, *end))
+    if (!plain_block_.suffices({tip_from_mm, tool_path_.axis_wp[point - 1], tip_to_mm,
+                                tool_path_.axis_wp[point], length_mm},
+                               posture_, *end))
       return std::nullopt;
     account(length_mm);
     const bool moves = end->word != posture_.word;
@@ -194,11 +203,11 @@ class Cutting {
     Settings coarse = settings_;
     coarse.tip_tolerance_mm = std::max(settings_.tip_tolerance_mm, rapid_tolerance_mm);
     coarse.axis_tolerance_rad = std::max(settings_.axis_tolerance_rad, rapid_tolerance_rad);
-    const path::Segment segment = segment_to(point);
+    const PlannedMove move = planned_move(point);
     ends_.clear();
     Posture from = posture_;
     for (const MovePart& part : parts_of(point, arrival)) {
-      if (auto status = linearise(model_, coarse, maker_, segment, part, from, slack_rad_,
+      if (auto status = linearise(model_, coarse, maker_, move, part, from, slack_rad_,
                                   tool_path_.cl_line[point], ends_);
           !status)
         return status;
@@ -278,61 +287,36 @@ class Cutting {
     return parts;
   }
 
-  Status cut(std::uint32_t point, const path::Segment& segment, const RotaryPair& arrival) {
+  Status cut(std::uint32_t point, const PlannedMove& move, const RotaryPair& arrival) {
     std::vector<MovePart> parts = parts_of(point, arrival);
     std::optional<MovePart> rest;
     double rewind_rad = 0.0;
     if (pending_rewind_) {
       rewind_rad = *pending_rewind_;
       pending_rewind_.reset();
-      rest = split_at_limit(segment, parts.back(), rewind_rad);
+      rest = split_at_limit(model_, move.planned(), *ranges_.rotary_rad[0], parts.back(),
+                            rewind_rad, slack_rad_);
     }
     for (const MovePart& part : parts)
-      if (auto status = cut_part(point, segment, part); !status) return status;
+      if (auto status = cut_part(point, move, part); !status) return status;
     if (!rest) return ok();
     RotaryPair after = rotary_;
     after.first_rad += rewind_rad;
     if (auto status =
-            reposition({segment.tip_mm(rest->fraction_from), segment.axis(rest->fraction_from),
-                        point, tool_path_.cl_line[point]},
+            reposition({move.cl.tip_mm(rest->fraction_from),
+                        move.planned().axis(rest->fraction_from), point, tool_path_.cl_line[point]},
                        after);
         !status)
       return status;
     rest->from = after;
-    return cut_part(point, segment, *rest);
+    return cut_part(point, move, *rest);
   }
 
-  /// Ends `part` where the first axis meets the end of its range; gives what is left of it.
-  MovePart split_at_limit(const path::Segment& segment, MovePart& part, double rewind_rad) const {
-    RotaryPair unwound = part.to;
-    unwound.first_rad -= rewind_rad;
-    const Range<double>& range = *ranges_.rotary_rad[0];
-    const double limit_rad = rewind_rad < 0.0 ? range.upper : range.lower;
-    double inside = part.fraction_from, outside = part.fraction_to;
-    RotaryPair lower = part.from, upper = unwound;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (inside + outside);
-      MovePart whole = part;
-      whole.to = unwound;
-      const auto there = rotary_inside(model_, segment, whole, middle, lower, upper, slack_rad_);
-      if (!there) break;
-      const bool beyond =
-          rewind_rad < 0.0 ? there->first_rad > limit_rad : there->first_rad < limit_rad;
-      (beyond ? outside : inside) = middle;
-      (beyond ? upper : lower) = *there;
-    }
-    MovePart rest = part;
-    rest.fraction_from = inside;
-    part.fraction_to = inside;
-    part.to = lower;
-    return rest;
-  }
-
-  Status cut_part(std::uint32_t point, const path::Segment& segment, const MovePart& part) {
+  Status cut_part(std::uint32_t point, const PlannedMove& move, const MovePart& part) {
     ends_.clear();
     const std::uint32_t line = tool_path_.cl_line[point];
     if (auto status =
-            linearise(model_, settings_, maker_, segment, part, posture_, slack_rad_, line, ends_);
+            linearise(model_, settings_, maker_, move, part, posture_, slack_rad_, line, ends_);
         !status)
       return status;
     if (is_too_large(ends_.size())) return too_large(line);
@@ -343,7 +327,7 @@ class Cutting {
       if (!is_point) ++program_.inserted_points;
       Block& block = frame_.add_block(end.posture, point, Block::Kind::line);
       block.fraction = end.fraction;
-      const double length_mm = (end.fraction - fraction) * segment.length_mm();
+      const double length_mm = (end.fraction - fraction) * move.cl.length_mm();
       if (moves || frame_.feed_mm_min()) {
         if (auto status = feed_rule_.set(block, posture_, end.posture,
                                          part.in_place ? 0.0 : length_mm, frame_.feed_mm_min());
@@ -471,7 +455,6 @@ Status cut_sequence(const kinematics::Model& model, const JointRanges& ranges,
   const double slack_rad = std::min(std::max(tool_path.axis_rounding_rad, freedom_rad),
                                     0.5 * settings.axis_tolerance_rad);
   const PoleZone zone = pole_zone(model, tool_path.axis_rounding_rad, freedom_rad);
-  double change_rad = 0.0;
   auto axis_path = plain_choice(model, ranges, tool_path, sequence.range, zone, settings,
                                 gauge_length_mm, check_linear);
   if (!axis_path) {
@@ -481,15 +464,11 @@ Status cut_sequence(const kinematics::Model& model, const JointRanges& ranges,
                                   check_linear);
     if (!chosen) return std::move(chosen).error();
     axis_path = std::move(chosen).value();
-    change_rad = candidates->largest_freedom_rad;
+    program.axis_change_rad = std::max(program.axis_change_rad, candidates->largest_freedom_rad);
   }
-  program.axis_change_rad = std::max(program.axis_change_rad, change_rad);
-
-  Settings left = settings;
-  left.axis_tolerance_rad -= change_rad;
   frame.begin_sequence(sequence);
-  return Cutting{model,     ranges,          tool_path,    left,  *axis_path,
-                 slack_rad, gauge_length_mm, check_linear, frame, program}
+  return Cutting{model,     ranges,          tool_path,    settings, *axis_path,
+                 slack_rad, gauge_length_mm, check_linear, frame,    program}
       .run();
 }
 

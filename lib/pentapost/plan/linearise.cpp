@@ -28,12 +28,13 @@ struct Place {
 class Division {
  public:
   Division(const kinematics::Model& model, const Settings& settings, BlockMaker& maker,
-           const path::Segment& segment, const MovePart& part, double slack_rad,
-           std::uint32_t cl_line, std::vector<Waypoint>& ends)
+           const PlannedMove& move, const MovePart& part, double slack_rad, std::uint32_t cl_line,
+           std::vector<Waypoint>& ends)
       : model_{model},
         settings_{settings},
         maker_{maker},
-        segment_{segment},
+        cl_{move.cl},
+        planned_{move.planned()},
         part_{part},
         slack_rad_{slack_rad},
         cl_line_{cl_line},
@@ -48,19 +49,19 @@ class Division {
 
  private:
   Result<Place> place(double fraction, const RotaryPair& rotary) {
-    const Vec3 tip_mm = segment_.tip_mm(part_.in_place ? part_.fraction_from : fraction);
+    const Vec3 tip_mm = cl_.tip_mm(part_.in_place ? part_.fraction_from : fraction);
     auto posture = maker_.posture(tip_mm, rotary, cl_line_);
     if (!posture) return std::move(posture).error();
     return Place{fraction, rotary, *posture};
   }
 
   Status divide(const Place& from, const Place& to, int depth) {
-    const BlockBound bound = bound_block(model_, settings_, maker_, segment_, from.fraction,
+    const BlockBound bound = bound_block(model_, settings_, maker_, cl_, from.fraction,
                                          from.posture, to.fraction, to.posture);
-    const double excess = std::max(
-        {bound.tip_mm / (tolerance_share * settings_.tip_tolerance_mm),
-         bound.axis_rad / (tolerance_share * settings_.axis_tolerance_rad),
-         square((to.fraction - from.fraction) * segment_.sweep_rad() / largest_sweep_rad)});
+    const double excess =
+        std::max({bound.tip_mm / (tolerance_share * settings_.tip_tolerance_mm),
+                  bound.axis_rad / (tolerance_share * settings_.axis_tolerance_rad),
+                  square((to.fraction - from.fraction) * cl_.sweep_rad() / largest_sweep_rad)});
     if (excess <= 1.0) {
       ends_.push_back({to.fraction, to.posture});
       if (ends_.size() <= largest_block_count) return ok();
@@ -82,7 +83,7 @@ class Division {
       if (i < count) {
         const double fraction = from.fraction + (to.fraction - from.fraction) * i / count;
         const auto rotary =
-            rotary_inside(model_, segment_, part_, fraction, start.rotary, to.rotary, slack_rad_);
+            rotary_inside(model_, planned_, part_, fraction, start.rotary, to.rotary, slack_rad_);
         if (!rotary) return out_of_reach();
         auto middle = place(fraction, *rotary);
         if (!middle) return std::move(middle).error();
@@ -115,7 +116,8 @@ class Division {
   const kinematics::Model& model_;
   const Settings& settings_;
   BlockMaker& maker_;
-  const path::Segment& segment_;
+  const path::Segment& cl_;
+  const path::Segment& planned_;
   const MovePart& part_;
   const double slack_rad_;
   const std::uint32_t cl_line_;
@@ -125,9 +127,9 @@ class Division {
 }  // namespace
 
 Status linearise(const kinematics::Model& model, const Settings& settings, BlockMaker& maker,
-                 const path::Segment& segment, const MovePart& part, const Posture& from,
+                 const PlannedMove& move, const MovePart& part, const Posture& from,
                  double slack_rad, std::uint32_t cl_line, std::vector<Waypoint>& ends) {
-  return Division{model, settings, maker, segment, part, slack_rad, cl_line, ends}.run(from);
+  return Division{model, settings, maker, move, part, slack_rad, cl_line, ends}.run(from);
 }
 
 }  // namespace pentapost::plan

@@ -8,6 +8,7 @@
 #include "pentapost/plan/settings.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pentapost::plan {
@@ -21,6 +22,15 @@ struct Waypoint {
   Posture posture;
 };
 
+/// A CL move.
+struct PlannedMove {
+  path::Segment cl;  ///< what the tolerances are held against
+  /// The same from or to the pole itself, where an end is taken as the pole: what the axes follow.
+  std::optional<path::Segment> by_pole = {};
+
+  const path::Segment& planned() const { return by_pole ? *by_pole : cl; }
+};
+
 /// Divides a part of a CL move into blocks whose tip and tool axis stay within the tolerances over
 /// the whole of every block (lib/README.md section 5). Appends the end of each block.
 ///
@@ -28,7 +38,7 @@ struct Waypoint {
 /// @param slack_rad  see kinematics::inverse_rotary.
 /// @return Problem tolerance_below_digits, out_of_reach, a range or too_large, with the CL line.
 Status linearise(const kinematics::Model& model, const Settings& settings, BlockMaker& maker,
-                 const path::Segment& segment, const MovePart& part, const Posture& from,
+                 const PlannedMove& move, const MovePart& part, const Posture& from,
                  double slack_rad, std::uint32_t cl_line, std::vector<Waypoint>& ends);
 
 }  // namespace pentapost::plan

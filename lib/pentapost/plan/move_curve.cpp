@@ -34,4 +34,29 @@ std::optional<RotaryPair> rotary_inside(const kinematics::Model& model,
       found.second_rad + turn_rad * std::round((mean_second_rad - found.second_rad) / turn_rad)};
 }
 
+MovePart split_at_limit(const kinematics::Model& model, const path::Segment& segment,
+                        const Range<double>& first_range_rad, MovePart& part, double rewind_rad,
+                        double slack_rad) {
+  MovePart whole = part;
+  whole.to.first_rad -= rewind_rad;
+  const double limit_rad = rewind_rad < 0.0 ? first_range_rad.upper : first_range_rad.lower;
+  double inside = part.fraction_from, outside = part.fraction_to;
+  RotaryPair lower = part.from, upper = whole.to;
+  constexpr int halvings = 60;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (inside + outside);
+    const auto there = rotary_inside(model, segment, whole, middle, lower, upper, slack_rad);
+    if (!there) break;
+    const bool beyond =
+        rewind_rad < 0.0 ? there->first_rad > limit_rad : there->first_rad < limit_rad;
+    (beyond ? outside : inside) = middle;
+    (beyond ? upper : lower) = *there;
+  }
+  MovePart rest = part;
+  rest.fraction_from = inside;
+  part.fraction_to = inside;
+  part.to = lower;
+  return rest;
+}
+
 }  // namespace pentapost::plan

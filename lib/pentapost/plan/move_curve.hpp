@@ -33,4 +33,12 @@ std::optional<RotaryPair> rotary_inside(const kinematics::Model& model,
                                         double fraction, const RotaryPair& lower,
                                         const RotaryPair& upper, double slack_rad);
 
+/// Ends `part` where the first axis meets the end of its range.
+///
+/// @param rewind_rad  what the first axis is to be moved by there; `part.to` holds after it.
+/// @return what is left of the part.
+MovePart split_at_limit(const kinematics::Model& model, const path::Segment& segment,
+                        const Range<double>& first_range_rad, MovePart& part, double rewind_rad,
+                        double slack_rad);
+
 }  // namespace pentapost::plan
