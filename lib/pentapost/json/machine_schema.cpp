@@ -61,7 +61,7 @@ Error innermost(const valijson::ValidationResults& results) {
 std::string found_at(const nlohmann::json& definition, const std::string& pointer) {
   const auto& value = definition.at(nlohmann::json::json_pointer{pointer});
   if (value.is_object()) return "an object";
-  const std::string text = value.dump(-1, ' ', true);
+  std::string text = value.dump(-1, ' ', true);
   if (text.size() <= longest_quote) return text;
   return value.is_array() ? "an array" : "a string of " + std::to_string(text.size()) + " bytes";
 }

@@ -10,7 +10,7 @@
 namespace pentapost::json {
 namespace {
 
-constexpr std::string_view whole_text = "";  ///< JSON pointer of the root
+constexpr std::string_view whole_text;  ///< JSON pointer of the root
 
 /// Walks over the text and tells the handler how far the lexer has read.
 class TrackedIterator {

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double direction_tolerance = 1e-9;  ///< of unit vectors that are to be the same
 constexpr double largest_single_sweep_rad = 350.0 * rad_per_deg;
+constexpr double smallest_radius_digits = 10.0;
+constexpr double largest_sweep_error_rad = pi / 4.0;
 /// Far above any real need, so that no input exhausts the memory.
 constexpr double largest_sweep_rad = 1e5 * pi;
 
@@ -37,6 +39,13 @@ Eigen::Vector2d equal_radius_centre(const Eigen::Vector2d& start, const Eigen::V
   const double square = chord.squaredNorm();
   if (square == 0.0) return centre;
   return centre - chord * (chord.dot(centre - 0.5 * (start + end)) / square);
+}
+
+/// From one arm to another, in the sense of the arc; 0 to 2 pi.
+double swept_rad(const Eigen::Vector2d& from, const Eigen::Vector2d& to, bool clockwise) {
+  const double turn_rad = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+  const double way_rad = clockwise ? -turn_rad : turn_rad;
+  return way_rad < 0.0 ? way_rad + 2.0 * pi : way_rad;
 }
 
 }  // namespace
@@ -95,8 +104,15 @@ std::optional<std::vector<ArcPiece>> native_arc(const kinematics::Model& model,
                   std::abs(start_radius_mm - segment.largest_radius_mm()),
                   std::abs(start_radius_mm - segment.smallest_radius_mm())});
     const double rounding_mm = std::pow(10.0, -settings.decimals_mm);
+    if (start_radius_mm < smallest_radius_digits * rounding_mm) return std::nullopt;
     if (off_centre_mm + off_radius_mm + rounding_mm > 0.9 * settings.tip_tolerance_mm)
       return std::nullopt;
+    // The digits of a tiny arc may turn its chord round, and with it a small sweep into a whole
+    // turn.
+    const double asked_rad = (piece.fraction - fraction_from) * sweep_rad;
+    const double printed_rad =
+        swept_rad(start_words - printed_centre, end_words - printed_centre, clockwise);
+    if (std::abs(printed_rad - asked_rad) > largest_sweep_error_rad) return std::nullopt;
     pieces.push_back(piece);
     start = piece.posture;
     fraction_from = piece.fraction;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace pentapost::plan {
 namespace {
 
@@ -192,6 +194,17 @@ TEST(NativeArc, OfMillionsOfTurnsIsNone) {
 TEST(NativeArc, WhoseEndsArePrintedAlikeIsNone) {
   ArcCase job;
   job.sweep(0.001);  // 0.17 micrometres
+  EXPECT_FALSE(job.pieces());
+}
+
+/// The digits leave a chord of 0.001 mm along the radius: the control would run half a turn.
+TEST(NativeArc, WhoseDigitsTurnItsChordIsNone) {
+  ArcCase job;
+  job.settings.tip_tolerance_mm = 0.1;
+  job.start_mm = {0.01750001, 0, 5};
+  job.arc.sweep_rad = 0.57 * rad_per_deg;
+  job.end_mm = {job.start_mm.x() * std::cos(job.arc.sweep_rad),
+                job.start_mm.x() * std::sin(job.arc.sweep_rad), 5};
   EXPECT_FALSE(job.pieces());
 }
 
