@@ -75,6 +75,7 @@ class Cutting {
       }
       if (auto status = depart(point); !status) return status;
     }
+    withdraw();
     return ok();
   }
 
@@ -106,9 +107,18 @@ class Cutting {
     return move;
   }
 
+  /// A head that has turned takes the tool out along its axis: the machine's own way up would not.
+  void withdraw() {
+    if (!model_.head_turns || posture_.printed == RotaryPair{}) return;
+    const std::uint32_t last = axis_path_.range.end - 1;
+    if (const auto away = posture_above(place_of(last), rotary_, settings_.retract_mm, maker_))
+      frame_.add_block(*away, last, Block::Kind::rapid).on_path = false;
+  }
+
   void warn_of_spindle(std::uint32_t point) {
     if (!frame_.spindle_is_missing()) return;
     const std::uint32_t line = tool_path_.cl_line[point];
+    frame_.comment("warning: the spindle is off, the CL data do not start it", line);
     program_.diagnostics.add({Severity::warning, Code::spindle_off, line,
                               "the tool cuts at CL line " + std::to_string(line) +
                                   " with the spindle off: the CL data do not start it"});

@@ -72,6 +72,7 @@ std::optional<double> Frame::speed_ahead() const {
 }
 
 void Frame::begin_sequence(const Sequence& sequence) {
+  if (tool_) leave();
   take_events(sequence.range.begin);
   if (!tool_) change_tool({.number = sequence.tool_number}, 0);
   if (!spindle_written_ && spindle_.state != path::Spindle::State::off) {

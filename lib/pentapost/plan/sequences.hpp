@@ -7,8 +7,9 @@
 
 namespace pentapost::plan {
 
-/// A stretch of the path that starts with a positioning: the program's start, another tool, or the
-/// return from home. Rotary solutions are chosen for each by itself.
+/// A stretch of the path that starts with a positioning: the program's start, another tool, the
+/// return from home, or an operation that a rapid with another tool axis leads to. Rotary solutions
+/// are chosen for each by itself.
 struct Sequence {
   PointRange range;
   int tool_number = 1;

@@ -79,7 +79,9 @@ TEST(Pole, OnANutatingTableCTurnsBySlightlyMoreThanAThirdOfB) {
   const auto posted = jobs::post(job);
   ASSERT_TRUE(posted) << posted.error().message;
 
-  const auto b = words(posted->nc, 'B'), c = words(posted->nc, 'C');
+  auto b = words(posted->nc, 'B'), c = words(posted->nc, 'C');
+  b.pop_back();  // the way out along the tool axis
+  c.pop_back();
   const double slope = (c.back() - c[c.size() - 2]) / (b.back() - b[b.size() - 2]);
   EXPECT_NEAR(std::abs(slope), 0.5 * std::cos(45.0 * rad_per_deg), 0.01);
   EXPECT_LT(span(c), 1.0);

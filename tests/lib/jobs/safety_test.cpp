@@ -75,6 +75,27 @@ TEST(Safety, TheToolComesDownToTheFirstPointAlongItsAxis) {
   EXPECT_EQ(blocks[0][4], blocks[1][4]);
 }
 
+/// Links between operations are left to the postprocessor: the table turns at the safe end.
+TEST(Safety, ARapidIntoAnOperationWithAnotherToolAxisGoesByWayOfTheSafeEnd) {
+  const auto posted = jobs::post(sample::cl_job(
+      "haas-umc-750",
+      "$$-> FEATNO / 1\nUNITS/MM\nLOADTL/1\nSPINDL/3000,CLW\nFEDRAT/500,MMPM\nRAPID\n"
+      "GOTO/0,0,50,0,0,1\nGOTO/0,0,40,0,0,1\n$$-> FEATNO / 2\nRAPID\nGOTO/60,0,50,0.6,0,0.8\n"
+      "GOTO/60,0,40,0.6,0,0.8\nFINI\n"));
+  ASSERT_TRUE(posted) << posted.error().message;
+
+  const std::string& nc = posted->nc;
+  const auto cut = nc.find("Z40."), second = nc.find("FEATNO 2");
+  ASSERT_NE(cut, std::string::npos);
+  ASSERT_NE(second, std::string::npos);
+  const auto retract = nc.find("G28", cut);
+  const auto tcp_on = nc.find("G43.4", retract);
+  EXPECT_LT(retract, second);
+  EXPECT_NE(tcp_on, std::string::npos);
+  EXPECT_LT(tcp_on, nc.find("X60."));
+  EXPECT_TRUE(posted->retracts.empty());
+}
+
 TEST(Safety, AnotherLengthRegisterOfTheSameToolIsCalled) {
   jobs::PostJob job = sample::cl_job(
       "haas-umc-750",
@@ -98,6 +119,9 @@ TEST(Safety, CuttingWithTheSpindleOffIsSaid) {
 
   EXPECT_TRUE(has(still->diagnostics, Code::spindle_off));
   EXPECT_FALSE(has(turning->diagnostics, Code::spindle_off));
+  const std::string note = "WARNING: THE SPINDLE IS OFF";
+  EXPECT_NE(still->nc.find(note), std::string::npos);
+  EXPECT_EQ(turning->nc.find(note), std::string::npos);
 }
 
 }  // namespace

@@ -81,6 +81,7 @@ TEST(Frame, AThreeAxisMachineHasNeitherTcpNorRotaryWords) {
   job.point({4, 2, 3});
   EXPECT_EQ(planned_outline(job),
             (Lines{"safe retract", "tool 1", "rapid X1 Y2 off path", "rapid X1 Y2 Z3",
+                   "(warning: the spindle is off, the CL data do not start it)",
                    "line X4 Y2 Z3 F500", "safe retract", "end"}));
 }
 
@@ -103,13 +104,35 @@ TEST(Frame, AHeadThatTurnsComesDownAlongItsToolAxis) {
   const auto program = job.planned();
   ASSERT_TRUE(program) << program.error().message;
   const auto& blocks = program->motion.blocks;
-  ASSERT_EQ(blocks.size(), 3U);
+  ASSERT_GE(blocks.size(), 3U);
   EXPECT_EQ(blocks[0].stated, 0x18);
   EXPECT_EQ(blocks[1].stated, 0x1F);
   EXPECT_FALSE(blocks[1].on_path);
   EXPECT_EQ(blocks[2].word[0] - blocks[1].word[0], -100'000);
   EXPECT_EQ(blocks[2].word[1], blocks[1].word[1]);
   EXPECT_EQ(blocks[2].word[2], blocks[1].word[2]);
+}
+
+/// A way up along Z would drag the tilted tool sideways through the part.
+TEST(Frame, AHeadThatHasTurnedTakesTheToolOutAlongItsAxis) {
+  ProgramCase job{sample::fork_head_cb(), Output::tcp};
+  job.feed_rate(500.0);
+  job.rapid({10, 20, 30}, Vec3::UnitX());
+  const Lines lines = planned_outline(job);
+  ASSERT_GE(lines.size(), 4U);
+  const auto last = lines.end() - 4;
+  EXPECT_EQ(last->substr(0, 20), "rapid X110 Y20 Z30 B");
+  EXPECT_NE(last->find("off path"), std::string::npos);
+  EXPECT_EQ(Lines(last + 1, lines.end()), (Lines{"tcp off", "safe retract", "end"}));
+}
+
+TEST(Frame, AnUprightHeadNeedsNoWayOfItsOwn) {
+  ProgramCase job{sample::fork_head_cb(), Output::tcp};
+  job.feed_rate(500.0);
+  job.rapid({10, 20, 30});
+  const Lines lines = planned_outline(job);
+  ASSERT_GE(lines.size(), 4U);
+  EXPECT_EQ((lines.end() - 4)->find("off path"), std::string::npos);
 }
 
 TEST(Frame, AFirstMoveByFeedComesDownFromTenMillimetres) {
