@@ -13,7 +13,7 @@ std::filesystem::path machine_folder(const std::string& given) {
   if (!given.empty()) return given;
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-  const auto installed = program.parent_path().parent_path() / "share/pentapost/machines";
+  auto installed = program.parent_path().parent_path() / "share/pentapost/machines";
   if (!error && std::filesystem::is_directory(installed, error)) return installed;
   return PENTAPOST_SOURCE_MACHINES;
 }

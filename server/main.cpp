@@ -6,13 +6,14 @@
 #include <variant>
 
 int main(int argument_count, char** arguments) {
-  using namespace pentapost::server;
+  namespace server = pentapost::server;
   try {
-    const auto options = read_options(argument_count, arguments);
-    if (const auto* code = std::get_if<ExitCode>(&options)) return *code;
-    return std::visit([](const auto& command) { return run(command); }, std::get<Command>(options));
+    const auto options = server::read_options(argument_count, arguments);
+    if (const auto* code = std::get_if<server::ExitCode>(&options)) return *code;
+    return std::visit([](const auto& command) { return run(command); },
+                      std::get<server::Command>(options));
   } catch (const std::exception& exception) {
     std::cerr << "pentapost: " << exception.what() << '\n';
-    return exit_defect;
+    return server::exit_defect;
   }
 }
