@@ -6,83 +6,24 @@
 #include "server/json/problem_json.hpp"
 #include "server/json/report_json.hpp"
 #include "server/machine_folder.hpp"
+#include "server/text_files.hpp"
 
-#include <filesystem>
-#include <fstream>
+#include <array>
+#include <cstddef>
 #include <iostream>
-#include <iterator>
 #include <sstream>
+#include <string>
 #include <string_view>
-#include <system_error>
+#include <utility>
 
 namespace pentapost::server {
 namespace {
-
-std::optional<std::string> read_stream(std::istream& stream) {
-  std::string text{std::istreambuf_iterator<char>{stream}, {}};
-  if (stream.bad()) return std::nullopt;
-  return text;
-}
-
-/// The bytes of a file ("-": standard input); nullopt: not readable, said on stderr.
-std::optional<std::string> read_file(const std::string& name) {
-  if (name == "-") return read_stream(std::cin);
-  std::ifstream file{name, std::ios::binary};
-  std::error_code error;
-  const auto size = std::filesystem::file_size(name, error);
-  std::string text;
-  if (file && !error) {
-    text.resize(size);
-    file.read(text.data(), static_cast<std::streamsize>(size));
-  } else if (file && !std::filesystem::is_directory(name, error)) {  // a pipe has no size
-    auto piped = read_stream(file);
-    if (piped) return piped;
-  } else {
-    file.setstate(std::ios::failbit);
-  }
-  if (file) return text;
-  std::cerr << "pentapost: cannot read " << name << '\n';
-  return std::nullopt;
-}
-
-bool write_to(const std::filesystem::path& name, std::string_view text) {
-  std::ofstream file{name, std::ios::binary | std::ios::trunc};
-  file << text << std::flush;
-  return static_cast<bool>(file);
-}
-
-/// Writes a whole file or none: the text goes beside it first. What is no file, such as a pipe or
-/// /dev/null, is written to; a symbolic link stays one.
-bool write_file(const std::string& name, std::string_view text) {
-  std::error_code error;
-  const auto place = std::filesystem::weakly_canonical(name, error);
-  bool written = !error;
-  if (written && std::filesystem::exists(place, error) &&
-      !std::filesystem::is_regular_file(place, error)) {
-    written = write_to(place, text);
-  } else if (written) {
-    const std::filesystem::path part = place.string() + ".part";
-    written = write_to(part, text);
-    if (written) std::filesystem::rename(part, place, error);
-    written = written && !error;
-    if (!written) std::filesystem::remove(part, error);
-  }
-  if (!written) std::cerr << "pentapost: cannot write " << name << '\n';
-  return written;
-}
-
-/// Writes to a file, or to `stream` where it has no name.
-bool write_text(const std::string& name, std::ostream& stream, std::string_view text) {
-  if (!name.empty()) return write_file(name, text);
-  stream << text << std::flush;
-  if (!stream) std::cerr << "pentapost: cannot write to standard output\n";
-  return static_cast<bool>(stream);
-}
 
 std::optional<JobParts> parts_of(const PostFileOptions& options) {
   JobParts parts;
   if (!options.job.empty() && !(parts.json = read_file(options.job))) return std::nullopt;
   if (!options.file.empty() && !(parts.cl = read_file(options.file))) return std::nullopt;
+  if (options.file != "-") parts.cl_file_name = options.file;
   const auto add = [&parts](const char* name, const std::optional<std::string>& value) {
     if (value) parts.words.emplace_back(name, *value);
   };
@@ -96,6 +37,28 @@ std::optional<JobParts> parts_of(const PostFileOptions& options) {
   return parts;
 }
 
+/// What is wrong with the use of the command; empty: nothing.
+std::string misuse_of(const PostFileOptions& options) {
+  if (options.file.empty() && options.job.empty()) return "give FILE or - for standard input";
+  if (!options.machine && options.job.empty())
+    return "give --machine NAME; the command pentapost machines lists them";
+  if (options.file == "-" && options.job == "-")
+    return "FILE and --job cannot both be standard input";
+  const auto standard = [](const std::string& name) { return name == "-" ? std::string{} : name; };
+  const std::array<std::pair<std::string_view, std::string>, 4> files{
+      {{"FILE", standard(options.file)},
+       {"--job", standard(options.job)},
+       {"--out", options.out},
+       {"--report", options.report}}};
+  constexpr std::size_t first_output = 2;
+  for (std::size_t output = first_output; output < files.size(); ++output)
+    for (std::size_t other = 0; other < output; ++other)
+      if (is_same_file(files[output].second, files[other].second))
+        return std::string{files[output].first}.append(" and ").append(files[other].first) +
+               " are the same file, " + files[output].second;
+  return {};
+}
+
 ExitCode exit_code_of(Code code) {
   const int status = status_of(code);
   if (status >= 500) return exit_defect;
@@ -104,8 +67,8 @@ ExitCode exit_code_of(Code code) {
 
 /// Says on stderr, or in the report's file, why there is no program.
 ExitCode fail(const Problem& problem, const std::string& report) {
-  const auto text = problem_response(problem, "").body + '\n';
-  if (!write_text(report, std::cerr, text)) return exit_input_output;
+  TextOutput output{report, std::cerr, problem_response(problem, "").body + '\n'};
+  if (!output.prepare() || !output.finish()) return exit_input_output;
   if (!report.empty()) std::cerr << "pentapost: " << problem.message << '\n';
   return exit_code_of(problem.code);
 }
@@ -123,6 +86,10 @@ std::string text_of(const machine::OptionValue& value) {
 }  // namespace
 
 ExitCode run(const PostFileOptions& options) {
+  if (const auto misuse = misuse_of(options); !misuse.empty()) {
+    std::cerr << "pentapost post: " << misuse << '\n';
+    return exit_usage;
+  }
   auto parts = parts_of(options);
   if (!parts) return exit_input_output;
   const auto machines = load_library(machine_folder(options.machines), options.skip_bad_machines);
@@ -130,10 +97,12 @@ ExitCode run(const PostFileOptions& options) {
   const auto dialects = dialect_names();
   const auto job = read_job(std::move(*parts), {.machines = *machines, .dialects = dialects});
   if (!job) return fail(job.error(), options.report);
-  const auto report = jobs::post(*job);
-  if (!report) return fail(report.error(), options.report);
-  const bool written = write_text(options.out, std::cout, report->nc) &&
-                       write_text(options.report, std::cerr, report_json(*report) + '\n');
+  auto report = jobs::post(*job);
+  if (!report) return fail(placed_in_request(report.error(), *job, *machines), options.report);
+  TextOutput report_output{options.report, std::cerr, report_json(*report) + '\n'};
+  TextOutput program_output{options.out, std::cout, std::move(report->nc)};
+  const bool written = report_output.prepare() && program_output.prepare() &&
+                       program_output.finish() && report_output.finish();
   return written ? exit_ok : exit_input_output;
 }
 

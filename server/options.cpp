@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 
 #include <iostream>
+#include <string>
+#include <string_view>
 
 namespace pentapost::server {
 namespace {
@@ -65,18 +67,22 @@ CLI::App* add_post(CLI::App& app, PostFileOptions& options) {
   auto* const command =
       app.add_subcommand("post", "Post one CL file: NC program on stdout, report on stderr");
   command->add_option("FILE", options.file,
-                      "CL file; -: standard input. Not with a job that has "
-                      "its own path");
-  command->add_option("--machine", options.machine, "NAME or NAME@VERSION")
+                      "CL file; -: standard input. Needed unless the job has its own path");
+  command
+      ->add_option("--machine", options.machine,
+                   "NAME or NAME@VERSION. Needed unless the job has it")
       ->envname("PENTAPOST_MACHINE");
   add_machines(*command, options.machines);
   add_skip(*command, options.skip_bad_machines);
   command->add_option("--output", options.output, "tcp or axes [default: as the machine]");
   command->add_option("--dialect", options.dialect, "Controller dialect [default: as the machine]");
-  command->add_option("--tip-mm", options.tip_mm, "Tolerance of the tool tip [default: 0.01]");
-  command->add_option("--axis-deg", options.axis_deg, "Tolerance of the tool axis [default: 0.05]");
+  command->add_option("--tip-mm", options.tip_mm,
+                      "Tolerance of the tool tip, at most 1 [default: 0.01]");
+  command->add_option("--axis-deg", options.axis_deg,
+                      "Tolerance of the tool axis, at most 5 [default: 0.05]");
   command->add_option("--cl-units", options.cl_units, "mm or inch [default: as the file]");
-  command->add_option("--program-name", options.program_name, "[default: from PARTNO]");
+  command->add_option("--program-name", options.program_name,
+                      "[default: from PARTNO, else FILE without its ending]");
   command->add_option("--job", options.job, "The other keys of a job, as JSON [default: none]")
       ->type_name("JOB.json");
   command->add_option("--report", options.report, "File for the report [default: stderr]")
@@ -85,6 +91,13 @@ CLI::App* add_post(CLI::App& app, PostFileOptions& options) {
       ->type_name("FILE");
   command->footer(exit_codes);
   return command;
+}
+
+std::string subcommand_names(const CLI::App& app) {
+  std::string names;
+  for (const auto* const command : app.get_subcommands(nullptr))
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  return names;
 }
 
 }  // namespace
@@ -107,7 +120,13 @@ std::variant<Command, ExitCode> read_options(int argument_count, const char* con
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error, std::cout, std::cerr) == 0 ? exit_ok : exit_usage;
+    if (app.exit(error, std::cout, std::cerr) == 0) return exit_ok;
+    const std::string_view first = argument_count > 1 ? arguments[1] : "";
+    if (app.get_subcommands().empty() && !first.empty() && !first.starts_with('-'))
+      std::cerr << first << " is no subcommand.\n";
+    if (app.get_subcommands().empty())
+      std::cerr << "The subcommands are: " << subcommand_names(app) << '\n';
+    return exit_usage;
   }
   if (serve_command->parsed()) return Command{serve};
   if (post_command->parsed()) return Command{post};

@@ -16,19 +16,22 @@ Result<JobParts> parts_of_form(const Request& request) {
   const auto fields = read_form(*find_field(request.headers, "content-type"), request.body);
   if (!fields) return fields.error();
   JobParts parts;
-  for (const auto& [name, content] : *fields) {
+  for (const auto& [name, content, file_name] : *fields) {
     auto* const part = name == "cl" ? &parts.cl : name == "job" ? &parts.json : nullptr;
     if (part != nullptr && *part) {
       return Problem{.code = Code::conflicting_keys,
-                     .message = "a field of the form stands twice: " + name};
+                     .message = "a field of the form stands twice: " + name,
+                     .pointer = name == "cl" ? "/cl" : ""};
     }
     if (part != nullptr) {
       part->emplace(content);
+      if (name == "cl") parts.cl_file_name = file_name;
     } else if (name == "machine") {
       parts.words.emplace_back(name, content);
     } else {
       return Problem{.code = Code::unknown_key,
-                     .message = "the form has a field other than machine, cl and job"};
+                     .message = "the form has a field other than machine, cl and job",
+                     .pointer = pointer_to_key(name)};
     }
   }
   return parts;
@@ -40,7 +43,8 @@ Result<JobParts> parts_of(Request& request) {
     return JobParts{.cl = std::move(request.body), .words = std::move(request.query)};
   if (!request.query.empty()) {
     return Problem{.code = Code::unknown_key,
-                   .message = "query keys belong to the text/plain form only"};
+                   .message = "query keys belong to the text/plain form only",
+                   .pointer = pointer_to_key(request.query.front().first)};
   }
   if (type == "application/json") return JobParts{.json = std::move(request.body)};
   auto parts = parts_of_form(request);
@@ -64,7 +68,7 @@ Result<Response> post_program(Call& call) {
   auto report = call.services.post(*job);
   if (!report) {
     if (call.cl) call.cl->sha256 = sha256_hex(std::get<jobs::ClText>(job->path).text);
-    return std::move(report).error();
+    return placed_in_request(std::move(report).error(), *job, call.services.machines);
   }
   if (call.cl) call.cl->sha256 = report->cl_sha256;
   Response response{.content_type = "application/json", .cl = call.cl};

@@ -14,8 +14,8 @@ Problem damaged(std::string message) {
   return Problem{.code = Code::bad_form, .message = std::move(message)};
 }
 
-/// The name in the Content-Disposition among the header lines of a part.
-std::optional<std::string> name_of_part(std::string_view headers) {
+/// The Content-Disposition of form-data among the header lines of a part.
+std::optional<std::string_view> disposition_of_part(std::string_view headers) {
   while (!headers.empty()) {
     const auto end = headers.find("\r\n");
     const auto line = headers.substr(0, end);
@@ -24,7 +24,7 @@ std::optional<std::string> name_of_part(std::string_view headers) {
     if (colon == std::string_view::npos) return std::nullopt;
     if (media_type_of(line.substr(0, colon)) != "content-disposition") continue;
     if (media_type_of(line.substr(colon + 1)) != "form-data") return std::nullopt;
-    return parameter_of(line.substr(colon + 1), "name");
+    return line.substr(colon + 1);
   }
   return std::nullopt;
 }
@@ -51,12 +51,16 @@ Result<std::vector<FormField>> read_form(std::string_view content_type, std::str
     if (end == std::string_view::npos) return damaged("the closing boundary is missing");
     if (headers_end == std::string_view::npos || headers_end + 4 > end + 2)
       return damaged("a field has no header");
-    const auto name = name_of_part(rest.substr(2, headers_end < 2 ? 0 : headers_end - 2));
+    const auto disposition =
+        disposition_of_part(rest.substr(2, headers_end < 2 ? 0 : headers_end - 2));
+    const auto name = disposition ? parameter_of(*disposition, "name") : std::nullopt;
     if (!name) return damaged("a field has no name");
     const auto content_start = headers_end + 4;
     const auto content =
         content_start > end ? std::string_view{} : rest.substr(content_start, end - content_start);
-    fields.push_back(FormField{.name = *name, .content = content});
+    fields.push_back(FormField{.name = *name,
+                               .content = content,
+                               .file_name = parameter_of(*disposition, "filename").value_or("")});
     rest = rest.substr(end + separator.size());
   }
   return fields;

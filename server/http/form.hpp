@@ -12,6 +12,7 @@ namespace pentapost::server {
 struct FormField {
   std::string name;
   std::string_view content;
+  std::string file_name = {};  ///< as the client calls the file; empty: none
 };
 
 /// Takes a multipart/form-data body (RFC 7578) apart.

@@ -23,6 +23,12 @@ constexpr std::array unit_words{"mm"sv, "inch"sv};
 constexpr std::array tilt_words{"positive"sv, "negative"sv};
 constexpr std::int64_t largest_tool_number = 999'999'999;
 constexpr double largest_length_mm = 1e6;  // as far as a tool path may reach
+constexpr Domain tip_domain{
+    .lower = 0.0, .upper = jobs::largest_tip_tolerance_mm, .lower_open = true};
+constexpr Domain axis_domain{
+    .lower = 0.0, .upper = jobs::largest_axis_tolerance_deg, .lower_open = true};
+constexpr auto setup_angle_domain =
+    Domain::between(-jobs::largest_setup_angle_deg, jobs::largest_setup_angle_deg);
 
 /// The words of a job, and where in the JSON job each belongs.
 struct WordRow {
@@ -71,7 +77,8 @@ class JobReader {
                           std::string_view key);
   std::optional<std::size_t> choice(std::string_view name, const std::optional<Object>& object,
                                     std::string_view key, std::span<const std::string_view> words);
-  std::optional<double> tolerance(std::string_view name, const std::optional<Object>& object);
+  std::optional<double> tolerance(std::string_view name, const std::optional<Object>& object,
+                                  const Domain& domain);
   std::optional<std::string> text(std::string_view name, const std::optional<Object>& object);
   void fail(Code code, std::string_view pointer, std::string message);
   const std::optional<Problem>& first_problem() const;
@@ -107,7 +114,8 @@ const std::optional<Problem>& JobReader::first_problem() const {
 void JobReader::check_words() {
   for (const auto& [name, value] : parts_.words) {
     if (pointer_of(name).empty())
-      return fail(Code::unknown_key, "", quoted(name) + " is not a key of this form");
+      return fail(Code::unknown_key, json::pointer_step(name),
+                  quoted(name) + " is not a key of this form");
     const auto same = [&name = name](const auto& field) { return field.first == name; };
     if (std::ranges::count_if(parts_.words, same) > 1)
       return fail(Code::conflicting_keys, pointer_of(name), quoted(name) + " stands twice");
@@ -142,14 +150,15 @@ std::optional<std::size_t> JobReader::choice(std::string_view name,
 }
 
 std::optional<double> JobReader::tolerance(std::string_view name,
-                                           const std::optional<Object>& object) {
+                                           const std::optional<Object>& object,
+                                           const Domain& domain) {
   const auto* found = word(name, object, name);
-  if (found == nullptr)
-    return object ? object->optional_number(name, Domain::positive()) : std::nullopt;
+  if (found == nullptr) return object ? object->optional_number(name, domain) : std::nullopt;
   const auto number = parse_number(*found);
-  if (!number || number->length != found->size() || !Domain::positive().contains(number->value)) {
+  if (!number || number->length != found->size() || !domain.contains(number->value)) {
     fail(Code::out_of_domain, pointer_of(name),
-         "found " + quoted(*found) + ", expected a number > 0");
+         "found " + quoted(*found) + ", expected a number above 0 and of at most " +
+             number_text(domain.upper));
     return std::nullopt;
   }
   return number->value;
@@ -175,6 +184,10 @@ std::optional<machine::Definition> JobReader::machine_of(const Object& job) {
       if (!document_.problem() && !word_problem_) word_problem_ = std::move(definition).error();
       return std::nullopt;
     }
+    if (document_.problem()) return std::nullopt;
+    if (!inline_or_name.is_string())
+      inline_or_name.fail(Code::wrong_type,
+                          "expected a string, name or name@version, or an object, a definition");
     name = inline_or_name.string();
   }
   if (document_.problem()) return std::nullopt;
@@ -189,7 +202,9 @@ void JobReader::read_path(const Object& job, jobs::PostJob& result) {
   for (const auto key : {"cl"sv, "cl_units"sv, "cl_dialect"sv}) job.optional_value(key);
   const bool apart = parts_.cl.has_value();
   const int count = (apart ? 1 : 0) + (job.has("cl") ? 1 : 0) + (job.has("path") ? 1 : 0);
-  if (count > 1) return fail(Code::conflicting_keys, "", "a job has exactly one of cl and path");
+  if (count > 1)
+    return fail(Code::conflicting_keys, job.has("path") ? "/path" : "/cl",
+                "a job has exactly one of cl and path");
   const auto path = job.optional_object("path");
   if (path) {
     for (const auto key : {"cl_units"sv, "cl_dialect"sv}) {
@@ -241,8 +256,8 @@ void JobReader::read_setup(const Object& job, jobs::Setup& setup) {
   if (setup.origin_mm && setup.origin_mm->cwiseAbs().maxCoeff() > largest_length_mm)
     object->fail_at("origin_mm", Code::out_of_domain,
                     "found a coordinate beyond the largest, 1000000 mm");
-  setup.theta_x_deg = object->optional_number("theta_x_deg").value_or(0.0);
-  setup.theta_z_deg = object->optional_number("theta_z_deg").value_or(0.0);
+  setup.theta_x_deg = object->optional_number("theta_x_deg", setup_angle_domain).value_or(0.0);
+  setup.theta_z_deg = object->optional_number("theta_z_deg", setup_angle_domain).value_or(0.0);
   object->finish();
 }
 
@@ -268,8 +283,8 @@ void JobReader::read_tools(const Object& job, jobs::PostJob& result) {
 
 void JobReader::read_tolerances(const Object& job, jobs::Tolerances& tolerances) {
   const auto object = job.optional_object("tolerances");
-  tolerances.tip_mm = tolerance("tip_mm", object).value_or(tolerances.tip_mm);
-  tolerances.axis_deg = tolerance("axis_deg", object).value_or(tolerances.axis_deg);
+  tolerances.tip_mm = tolerance("tip_mm", object, tip_domain).value_or(tolerances.tip_mm);
+  tolerances.axis_deg = tolerance("axis_deg", object, axis_domain).value_or(tolerances.axis_deg);
   if (object) object->finish();
 }
 
@@ -353,12 +368,30 @@ Result<jobs::PostJob> JobReader::read() {
   read_limits(job, result);
   job.finish();
   if (!parts_.cl && !job.has("cl") && !job.has("path"))
-    fail(Code::missing_key, "", "a job has exactly one of cl and path");
+    fail(Code::missing_key, "/cl", "a job has exactly one of cl and path");
   if (auto first = first_problem()) return *first;
   return result;
 }
 
 }  // namespace
+
+std::string pointer_to_key(std::string_view key) { return json::pointer_step(key); }
+
+std::string file_stem(std::string_view file_name) {
+  file_name.remove_prefix(file_name.find_last_of("/\\") + 1);  // none: npos + 1 is 0
+  const auto dot = file_name.rfind('.');
+  constexpr std::size_t longest = 80;  // a client may call its file anything
+  return std::string{
+      file_name.substr(0, dot == 0 ? std::string_view::npos : dot).substr(0, longest)};
+}
+
+Problem placed_in_request(Problem problem, const jobs::PostJob& job,
+                          const machine::Library& machines) {
+  const auto* const entry = machines.find(job.machine.name, job.machine.version);
+  const bool named = entry != nullptr && entry->definition.sha256 == job.machine.sha256;
+  if (named && problem.pointer.starts_with("/machine/")) problem.pointer = "/machine";
+  return problem;
+}
 
 Problem missing_machine(const machine::Library& machines, std::string_view name,
                         std::string_view version) {
@@ -388,7 +421,9 @@ Result<jobs::PostJob> read_job(JobParts parts, const JobContext& context) {
   auto document = json::Document::parse(parts.json ? *parts.json : "{}"sv);
   if (!document) return std::move(document).error();
   auto job = JobReader{*document, parts, context}.read();
-  if (!job || !parts.cl) return job;
+  if (!job) return job;
+  job->post.default_program_name = file_stem(parts.cl_file_name);
+  if (!parts.cl) return job;
   std::get<jobs::ClText>(job->path).text = std::move(*parts.cl);
   return job;
 }

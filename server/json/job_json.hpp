@@ -22,6 +22,7 @@ struct JobContext {
 struct JobParts {
   std::optional<std::string> json = {};  ///< the JSON job
   std::optional<std::string> cl = {};    ///< text of the CL file, where it came apart from the job
+  std::string cl_file_name = {};         ///< of that file; empty: not known
   /// machine, output, dialect, tip_mm, axis_deg, cl_units, program_name, as text.
   Fields words = {};
 };
@@ -33,6 +34,17 @@ struct JobParts {
 ///         unknown_machine, unknown_version, unknown_dialect, zero_tool_axis, no_motion, or what
 ///         an inline definition is refused with.
 Result<jobs::PostJob> read_job(JobParts parts, const JobContext& context);
+
+/// The JSON pointer of a key of the job.
+std::string pointer_to_key(std::string_view key);
+
+/// "part" of "C:\\cam\\part.cls", for a program without a name of its own.
+std::string file_stem(std::string_view file_name);
+
+/// A Problem of posting `job` with its pointer into the request: a machine that was given by its
+/// name has no values there.
+Problem placed_in_request(Problem problem, const jobs::PostJob& job,
+                          const machine::Library& machines);
 
 /// Why the library has no such entry: unknown_machine, with near names, or unknown_version, with
 /// the versions that there are.

@@ -147,7 +147,9 @@ Response problem_response(const Problem& problem, std::string_view request_id) {
   writer.key("status").integer(static_cast<std::uint64_t>(response.status));
   writer.key("detail").string(problem.message);
   writer.key("code").string(row.name);
-  if (!problem.pointer.empty()) writer.key("pointer").string(problem.pointer);
+  // A value of the wrong type has a place always: "" is the whole document.
+  if (!problem.pointer.empty() || problem.code == Code::wrong_type)
+    writer.key("pointer").string(problem.pointer);
   if (problem.cl_line) writer.key("cl_line").integer(*problem.cl_line);
   writer.key("request_id").string(request_id);
   write_diagnostics(writer, diagnostics_of(problem));

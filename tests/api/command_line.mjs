@@ -27,6 +27,13 @@ function file(name, text) {
 
 const good = file("good.cls", "UNITS/MM\nFEDRAT/MMPM,600\nGOTO/0,0,0,0,0,1\nGOTO/10,0,0,0,0,1\nFINI\n");
 const damaged = file("damaged.cls", "UNITS/MM\nFEDRAT/MMPM,600\nGOTO/0,0,x\n");
+const empty = file("empty.json", "{}");
+fs.linkSync(path.join(folder, good), path.join(folder, "hard.cls"));
+fs.symlinkSync(good, path.join(folder, "soft.cls"));
+const definition = JSON.parse(fs.readFileSync(path.join(root, "machines/generic-3axis/1.0.0.json"), "utf8"));
+definition.controller.options = { tcp_on: ["G43.4 H{foo}"] };
+fs.mkdirSync(path.join(folder, "machines/generic-3axis"), { recursive: true });
+file("machines/generic-3axis/1.0.0.json", JSON.stringify(definition));
 const below = file("below.cls", "UNITS/MM\nFEDRAT/MMPM,600\nGOTO/0,0,0,0,0,1\nGOTO/10,0,0,0.6,0,0.8\n");
 
 test("post writes the program to stdout and the report to stderr", () => {
@@ -60,7 +67,26 @@ for (const [title, words, expected, text] of [
   ["an unknown option", ["post", good, "--tip", "1"], 1, /--tip/],
   ["an unusable port", ["serve", "--port", "70000"], 1, /70000/],
   ["a damaged CL file", ["post", damaged, "--machine", "generic-3axis"], 2, /"cl_line":3/],
-  ["no machine", ["post", good], 2, /missing_key/],
+  ["an unknown command", ["foo"], 1, /foo[^]*serve, post, machines, dialects, version/],
+  ["no machine", ["post", good], 1, /--machine/],
+  ["no file", ["post", "--machine", "generic-3axis"], 1, /give FILE or -/],
+  ["a job and no path", ["post", "--machine", "generic-3axis", "--job", empty], 2, /missing_key/],
+  ["a tolerance that lost its point", ["post", good, "--machine", "generic-3axis", "--tip-mm", "10"], 2, /at most 1/],
+  ["one file for program and report", ["post", good, "--machine", "generic-3axis", "--out", "s.nc", "--report", "x/../s.nc"],
+    1, /--report and --out are the same file/],
+  ["the program into its own CL file", ["post", good, "--machine", "generic-3axis", "--out", `./${good}`], 1,
+    /--out and FILE are the same file/],
+  ["the report into the CL file by another name", ["post", good, "--machine", "generic-3axis", "--report", "hard.cls"], 1,
+    /--report and FILE are the same file/],
+  ["the report into the CL file by a link", ["post", good, "--machine", "generic-3axis", "--report", "soft.cls"], 1,
+    /--report and FILE are the same file/],
+  ["the report into the job's file", ["post", good, "--machine", "generic-3axis", "--job", empty, "--report", empty], 1,
+    /--report and --job are the same file/],
+  ["a report that can't be written", ["post", good, "--machine", "generic-3axis", "--report", "none/x"], 5, /none\/x/],
+  ["a report that can't be written beside a file", ["post", good, "--machine", "generic-3axis", "--out", "p.nc",
+    "--report", "none/x"], 5, /none\/x/],
+  ["a machine with an unusable option", ["serve", "--check", "--machines", "machines"], 5,
+    /options\/tcp_on: option tcp_on: \{foo\}/],
   ["an unknown machine", ["post", good, "--machine", "generic-3axs"], 2, /generic-3axis/],
   ["a bad tolerance", ["post", good, "--machine", "generic-3axis", "--tip-mm", "0"], 2, /tolerances\/tip_mm/],
   ["a tool axis out of reach", ["post", below, "--machine", "generic-3axis"], 3, /out_of_reach/],
@@ -85,6 +111,33 @@ test("exit code 5, with a word: standard output that takes nothing", () => {
   fs.closeSync(full);
   assert.equal(status, 5);
   assert.match(stderr, /standard output/);
+});
+
+test("what is refused or not written leaves inputs and outputs as they were", () => {
+  assert.match(fs.readFileSync(path.join(folder, good), "utf8"), /^UNITS/);
+  assert.equal(fs.readFileSync(path.join(folder, empty), "utf8"), "{}");
+  assert.deepEqual(fs.readdirSync(folder).filter((name) => /^[sp]\.nc|part/.test(name)), []);
+});
+
+test("program and report can both go to /dev/null", () => {
+  assert.equal(run("post", good, "--machine", "generic-3axis", "--out", "/dev/null", "--report", "/dev/null").code, 0);
+});
+
+test("a file beside the output keeps its bytes", () => {
+  file("k.nc.part", "kept");
+  assert.equal(run("post", good, "--machine", "generic-3axis", "--out", "k.nc").code, 0);
+  assert.equal(fs.readFileSync(path.join(folder, "k.nc.part"), "utf8"), "kept");
+  fs.rmSync(path.join(folder, "k.nc.part"));
+});
+
+test("a program without PARTNO has the name of its file, from standard input none", () => {
+  const input = fs.readFileSync(path.join(folder, good), "utf8");
+  assert.match(run("post", good, "--machine", "hermle-c600u").out, /^%GOOD G71/);
+  assert.match(run("post", "-", "--machine", "hermle-c600u", { input }).out, /^%PROGRAM G71/);
+  assert.match(run("post", good, "--machine", "hermle-c600u", "--program-name", "OTHER").out, /^%OTHER G71/);
+  const named = file("file.cls", `PARTNO/PART\n${input}`);
+  assert.match(run("post", named, "--machine", "hermle-c600u").out, /^%PART G71/);
+  assert.match(run("post", file("1234.cls", input), "--machine", "generic-3axis").out, /^%\nO1234\n/);
 });
 
 test("a refusal leaves no file behind", () => {

@@ -73,6 +73,48 @@ async function checkReading(port) {
   });
 }
 
+/// What is wrong with a job, where, and that it is the client's to mend.
+async function checkPlaces(port) {
+  const cl = "UNITS/MM\nLOADTL/1\nFEDRAT/1000,MMPM\nGOTO/0,0,50,0,0,1\nGOTO/9,0,50,0,0,1\nFINI\n";
+  const machine = (await held(port, { path: "/machines/hermle-c600u" }, 200)).json;
+  const changed = (change) => {
+    const copy = structuredClone(machine);
+    change(copy);
+    return job({ machine: copy, cl });
+  };
+  const options = (value) => changed((copy) => { copy.controller.options = value; });
+  const named = { machine: "hermle-c600u" };
+  const places = [
+    ["a body that is no object", job("[]"), 400, "wrong_type", "", /an array.*expected an object/],
+    ["no machine", job({ cl }), 400, "missing_key", "/machine", /machine/],
+    ["no path", job(named), 400, "missing_key", "/cl", /cl and path/],
+    ["cl and path", job({ ...named, cl, path: { feed_mm_min: 1, points: [[0, 0, 0, 0, 0, 1]] } }), 400,
+      "conflicting_keys", "/path", /exactly one/],
+    ["an unknown query key", text({ ...named, tip: "1" }, cl), 400, "unknown_key", "/tip", /tip/],
+    ["a huge tolerance", job({ ...named, cl, tolerances: { tip_mm: 1000 } }), 400, "out_of_domain",
+      "/tolerances/tip_mm", /1000.*at most 1$/],
+    ["a huge tolerance in the query", text({ ...named, axis_deg: "360" }, cl), 400, "out_of_domain",
+      "/tolerances/axis_deg", /360.*at most 5$/],
+    ["a tolerance below the digits", job({ ...named, cl, tolerances: { tip_mm: 1e-6 } }), 422,
+      "tolerance_below_digits", "/tolerances/tip_mm", /1e-06/],
+    ["a reversed range", changed((copy) => { copy.axes.A.range_deg = [90, -90]; }), 422,
+      "definition_meaning", "/machine/axes/A/range_deg", /90, -90/],
+    ["an option that changes the mode", options({ start_lines: ["G91"] }), 422, "not_in_dialect",
+      "/machine/controller/options/start_lines", /NC text line/],
+    ["an option with an unknown placeholder", options({ tcp_on: ["M128 {foo}"] }), 422, "bad_option",
+      "/machine/controller/options/tcp_on", /\{foo\}/],
+    ["an unknown option", options({ decimal_mm: 3 }), 422, "bad_option",
+      "/machine/controller/options/decimal_mm", /decimals_mm/],
+  ];
+  for (const [title, wanted, status, code, pointer, detail] of places) {
+    await check(`${status} ${code} at "${pointer}": ${title}`, async () => {
+      const { json } = await held(port, wanted, status);
+      assert.deepEqual([json.code, json.pointer], [code, pointer]);
+      assert.match(json.detail, detail);
+    });
+  }
+}
+
 async function checkRefusals(port) {
   const cl = "GOTO/0,0,0\n";
   const refusals = [
@@ -143,7 +185,8 @@ async function checkJobSchema(port) {
   const path = { feed_mm_min: 100, points: [[0, 0, 0, 0, 0, 1], [1, 0, 0, 0, 0, 1]] };
   const base = { machine: "generic-3axis", path };
   const variants = [
-    {}, { tolerances: { tip_mm: 0 } }, { tolerances: { tip_mm: 1 } }, { tolerances: { tip: 1 } },
+    {}, { tolerances: { tip_mm: 1.001 } }, { tolerances: { axis_deg: 5 } }, { tolerances: { axis_deg: 5.001 } },
+    { setup: { theta_x_deg: 361 } }, { setup: { theta_z_deg: -360 } }, { tolerances: { tip_mm: 0 } }, { tolerances: { tip_mm: 1 } }, { tolerances: { tip: 1 } },
     { setup: { origin_mm: [0, 0] } }, { setup: { origin_mm: [0, 0, "0"] } }, { setup: { theta_x_deg: 5 } },
     { setup: { origin_mm: [0, 0, 2e6] } }, { tools: { 1: { gauge_length_mm: 2e6 } } },
     { setup: [] }, { tools: { 1: { gauge_length_mm: -1 } } }, { tools: { "01": {} } }, { tools: { a: {} } },
@@ -224,6 +267,7 @@ const server = await start(binary, ["--body-limit-mib", "1", "--threads", "1", "
 try {
   await checkReading(server.port);
   await checkRefusals(server.port);
+  await checkPlaces(server.port);
   await checkJobSchema(server.port);
   await checkExamples(server.port);
   await checkReadme(server.port);

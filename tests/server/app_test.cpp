@@ -134,12 +134,29 @@ TEST(App, GivesTheJobToThePostFunction) {
   EXPECT_EQ(seen.tolerances.tip_mm, 0.5);
 }
 
+TEST(App, NamesAProgramByTheFileOfAFormAlone) {
+  std::string name;
+  App app{sample::services([&name](const jobs::PostJob& job) -> Result<jobs::PostReport> {
+            name = job.post.default_program_name;
+            return sample::report();
+          }),
+          {}};
+  app.handle(post("multipart/form-data; boundary=b",
+                  "--b\r\nContent-Disposition: form-data; name=machine\r\n\r\ndemo\r\n"
+                  "--b\r\nContent-Disposition: form-data; name=cl; filename=\"flange.cls\"\r\n\r\n"
+                  "GOTO/1,2,3\r\n--b--"));
+  EXPECT_EQ(name, "flange");
+  app.handle(post("text/plain", "GOTO/1,2,3", {{"machine", "demo"}}));
+  EXPECT_EQ(name, "");
+}
+
 TEST(App, RefusesQueryKeysBesideAJsonJob) {
   auto app = sample_app();
   const auto response = app.handle(
       post("application/json", R"({"machine": "demo", "cl": "x"})", {{"machine", "demo"}}));
   EXPECT_EQ(response.status, 400);
   EXPECT_TRUE(has_code(response, "unknown_key"));
+  EXPECT_NE(response.body.find(R"("pointer":"/machine")"), std::string::npos) << response.body;
 }
 
 TEST(App, RefusesUnknownAndDoubleFormFields) {

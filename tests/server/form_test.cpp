@@ -21,6 +21,8 @@ TEST(Form, ReadsFieldsWithAnyBytes) {
   EXPECT_EQ((*fields)[0].content, "demo");
   EXPECT_EQ((*fields)[1].name, "cl");
   EXPECT_EQ((*fields)[1].content, "GOTO/1\r\n--b\n");
+  EXPECT_EQ((*fields)[1].file_name, "a.cls");
+  EXPECT_EQ((*fields)[0].file_name, "");
   EXPECT_EQ((*fields)[2].name, "job");
   EXPECT_EQ((*fields)[2].content, "");
 }

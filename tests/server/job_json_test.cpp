@@ -123,22 +123,30 @@ TEST(JobJson, RefusesWithThePlace) {
           {"", Code::bad_json, ""},
           {"{", Code::bad_json, ""},
           {"[]", Code::wrong_type, ""},
-          {"{}", Code::missing_key, ""},
-          {R"({"cl": ""})", Code::missing_key, ""},
-          {R"({"machine": "demo"})", Code::missing_key, ""},
+          {"{}", Code::missing_key, "/machine"},
+          {R"({"cl": ""})", Code::missing_key, "/machine"},
+          {R"({"machine": "demo"})", Code::missing_key, "/cl"},
+          {R"({"machine": "demo", "path": {"points": []}})", Code::missing_key,
+           "/path/feed_mm_min"},
           {R"({"machine": 5, "cl": ""})", Code::wrong_type, "/machine"},
           {R"({"machine": "dmeo", "cl": ""})", Code::unknown_machine, "/machine"},
           {R"({"machine": "demo@9.0.0", "cl": ""})", Code::unknown_version, "/machine"},
           {R"({"machine": "demo@", "cl": ""})", Code::unknown_version, "/machine"},
           {R"({"machine": {}, "cl": ""})", Code::definition_schema, "/machine"},
           {start + R"("path": {"feed_mm_min": 1, "points": [[0,0,0,0,0,1]]}})",
-           Code::conflicting_keys, ""},
+           Code::conflicting_keys, "/path"},
           {start + R"("cl": ""})", Code::bad_json, "/cl"},
           {start + R"("tolerance": {}})", Code::unknown_key, "/tolerance"},
           {start + R"("dual_nurbs": {}})", Code::unknown_key, "/dual_nurbs"},
           {R"({"machine": "demo", "nc": "M30"})", Code::unknown_key, "/nc"},
           {start + R"("tolerances": {"tip_mm": 0}})", Code::out_of_domain, "/tolerances/tip_mm"},
           {start + R"("tolerances": {"tip_mm": -1}})", Code::out_of_domain, "/tolerances/tip_mm"},
+          {start + R"("tolerances": {"tip_mm": 1.001}})", Code::out_of_domain,
+           "/tolerances/tip_mm"},
+          {start + R"("tolerances": {"axis_deg": 5.001}})", Code::out_of_domain,
+           "/tolerances/axis_deg"},
+          {start + R"("setup": {"theta_x_deg": 1e9}})", Code::out_of_domain, "/setup/theta_x_deg"},
+          {start + R"("setup": {"theta_z_deg": -361}})", Code::out_of_domain, "/setup/theta_z_deg"},
           {start + R"("tolerances": {"axis_deg": "1"}})", Code::wrong_type, "/tolerances/axis_deg"},
           {start + R"("tolerances": {"axis_deg": 1e999}})", Code::bad_number,
            "/tolerances/axis_deg"},
@@ -182,6 +190,58 @@ TEST(JobJson, RefusesWithThePlace) {
     EXPECT_EQ(job.error().pointer, pointer);
     EXPECT_FALSE(job.error().message.empty());
   }
+}
+
+TEST(JobJson, SaysWhatAMachineCanBe) {
+  const auto job = read(R"({"machine": 5, "cl": ""})");
+  ASSERT_FALSE(job);
+  EXPECT_NE(job.error().message.find("name@version"), std::string::npos) << job.error().message;
+  EXPECT_NE(job.error().message.find("object"), std::string::npos) << job.error().message;
+}
+
+TEST(JobJson, RefusesAReversedRangeAsAnUnusableDefinition) {
+  auto text = sample::definition_text("mine", "1.0.0");
+  text.replace(text.find("[-110, 110]"), 11, "[110, -110]");
+  const auto job = read(R"({"cl": "", "machine": )" + text + "}");
+  ASSERT_FALSE(job);
+  EXPECT_EQ(job.error().code, Code::definition_meaning);
+  EXPECT_EQ(job.error().pointer, "/machine/axes/A/range_deg");
+}
+
+TEST(JobWords, SayValueAndLimitOfATolerance) {
+  const auto job = read_parts({.cl = "", .words = {{"machine", "demo"}, {"axis_deg", "360"}}});
+  ASSERT_FALSE(job);
+  EXPECT_EQ(job.error().message, "found '360', expected a number above 0 and of at most 5");
+}
+
+TEST(JobFileName, NamesAProgramWithoutADirectoryAndEnding) {
+  for (const auto& [file_name, name] : std::vector<std::pair<std::string, std::string>>{
+           {"", ""},
+           {"part.cls", "part"},
+           {"/cam/a.b/part.v2.cls", "part.v2"},
+           {"C:\\cam\\part.cls", "part"},
+           {".cls", ".cls"},
+           {"part", "part"},
+           {std::string(100'000, 'p'), std::string(80, 'p')},
+           {"cam/", ""}}) {
+    const auto job =
+        read_parts({.cl = "GOTO/1,2,3", .cl_file_name = file_name, .words = {{"machine", "demo"}}});
+    ASSERT_TRUE(job);
+    EXPECT_EQ(job->post.default_program_name, name) << file_name;
+  }
+}
+
+TEST(PlacedInRequest, ANamedMachineHasNoValuesThere) {
+  const auto machines = sample::library();
+  const Problem problem{
+      .code = Code::bad_option, .message = "", .pointer = "/machine/controller/options/arcs"};
+  auto job = read(R"({"machine": "demo", "cl": ""})");
+  ASSERT_TRUE(job);
+  EXPECT_EQ(placed_in_request(problem, *job, machines).pointer, "/machine");
+
+  job = read(R"({"cl": "", "machine": )" + sample::definition_text("mine", "3.0.0") + "}");
+  ASSERT_TRUE(job);
+  EXPECT_EQ(placed_in_request(problem, *job, machines).pointer, problem.pointer);
 }
 
 TEST(JobJson, OffersNearMachinesAndTheVersions) {
@@ -228,6 +288,8 @@ TEST(JobWords, AreRefusedWithThePlaceOfTheirKey) {
   for (const auto& [name, word, code, pointer] :
        std::vector<std::tuple<std::string, std::string, Code, std::string>>{
            {"tip_mm", "0", Code::out_of_domain, "/tolerances/tip_mm"},
+           {"tip_mm", "1.001", Code::out_of_domain, "/tolerances/tip_mm"},
+           {"axis_deg", "360", Code::out_of_domain, "/tolerances/axis_deg"},
            {"tip_mm", "1e999", Code::out_of_domain, "/tolerances/tip_mm"},
            {"tip_mm", "nan", Code::out_of_domain, "/tolerances/tip_mm"},
            {"axis_deg", "1x", Code::out_of_domain, "/tolerances/axis_deg"},
@@ -235,7 +297,8 @@ TEST(JobWords, AreRefusedWithThePlaceOfTheirKey) {
            {"output", "TCP", Code::out_of_domain, "/post/output"},
            {"dialect", "x", Code::unknown_dialect, "/post/dialect"},
            {"cl_units", "cm", Code::out_of_domain, "/cl_units"},
-           {"tolerance", "1", Code::unknown_key, ""},
+           {"tolerance", "1", Code::unknown_key, "/tolerance"},
+           {"a/b", "1", Code::unknown_key, "/a~1b"},
            {"machine", "demo", Code::conflicting_keys, "/machine"},
        }) {
     SCOPED_TRACE(name + '=' + word);

@@ -26,6 +26,13 @@ TEST(ProblemResponse, HoldsAllThatTheProblemSays) {
       R"("message":"no way"}],"diagnostics_total":1})");
 }
 
+TEST(ProblemResponse, HasTheEmptyPointerOfAWholeDocumentOfTheWrongType) {
+  const auto whole = problem_response(Problem{.code = Code::wrong_type, .message = "x"}, "id");
+  EXPECT_NE(whole.body.find(R"("pointer":"",)"), std::string::npos) << whole.body;
+  const auto none = problem_response(Problem{.code = Code::bad_json, .message = "x"}, "id");
+  EXPECT_EQ(none.body.find("pointer"), std::string::npos) << none.body;
+}
+
 TEST(ProblemResponse, ShowsAHundredDiagnosticsErrorsFirstAndCountsAll) {
   Problem problem{.code = Code::damaged_motion, .message = "damaged"};
   for (int i = 0; i < 150; ++i)

@@ -16,6 +16,17 @@ using State = path::Spindle::State;
 constexpr double reentry_gap_mm = 0.5;
 /// Retract that breaks a chip.
 constexpr double chip_retract_mm = 0.25;
+/// Tool axes that differ by more are those of another side of the work: a straight way from hole to
+/// hole may lead through it.
+constexpr double largest_link_turn_rad = 1.0 * rad_per_deg;
+/// Below any digit that is printed.
+constexpr double same_place_mm = 1e-6;
+
+/// Where the tool is.
+struct Place {
+  Vec3 tip_mm;
+  Vec3 axis;
+};
 
 /// Copies a path and writes holes out.
 class Expansion {
@@ -65,6 +76,8 @@ class Expansion {
       if (const auto* feed = std::get_if<path::FeedRate>(&event.what))
         feed_ = written_feed_ = *feed;
       if (const auto* spindle = std::get_if<path::Spindle>(&event.what)) note(*spindle);
+      if (const auto* change = std::get_if<path::ToolChange>(&event.what)) note(*change);
+      if (std::holds_alternative<path::GoHome>(event.what)) place_.reset();
       out_.add_event(event.cl_line, event.what);
     }
   }
@@ -74,11 +87,22 @@ class Expansion {
     if (spindle.speed_rpm) spindle_.speed_rpm = spindle.speed_rpm;
   }
 
+  /// From another tool's change the hole is reached by a way of its own.
+  void note(const path::ToolChange& change) {
+    const bool is_in_use =
+        change.number == tool_.number &&
+        (!change.length_register || change.length_register == tool_.length_register);
+    if (is_in_use && place_) return;
+    tool_ = change;
+    place_.reset();
+  }
+
   void move(std::uint32_t point) {
     end_native(path_.cl_line[point]);
     if (path_.move[point] == path::Move::feed && feed_) set_feed(*feed_, path_.cl_line[point]);
     out_.add_point(path_.tip_wp_mm[point], path_.axis_wp[point], path_.cl_line[point],
                    path_.move[point]);
+    place_ = {path_.tip_wp_mm[point], path_.axis_wp[point]};
   }
 
   void end_native(std::uint32_t line) {
@@ -102,17 +126,41 @@ class Expansion {
       if (!native_is_on_) out_.add_event(cycle_line_, *cycle_);
       native_is_on_ = true;
       out_.add_point(reference_mm_, axis_, line_, path::Move::hole);
+      place_ = {reference_mm_ + cycle_->clearance_mm * axis_, axis_};
       return;
     }
     end_native(line_);
     report_tap();
     const double retract_mm = std::max(cycle_->retract_mm.value_or(0.0), cycle_->clearance_mm);
-    if (retract_mm > cycle_->clearance_mm) rapid_to(retract_mm);
-    rapid_to(cycle_->clearance_mm);
+    if (reach(retract_mm) > cycle_->clearance_mm) rapid_to(cycle_->clearance_mm);
     if (const auto feed = feed_of_hole()) set_feed(*feed, line_);
     drill();
     if (cycle_->dwell_s > 0.0) out_.add_event(line_, path::Dwell{cycle_->dwell_s});
     leave(retract_mm);
+  }
+
+  /// Brings the tool over the hole, never across below where it is or where it is to be: up along
+  /// its axis and then across, or across and left there.
+  /// @return its height over the reference point, at least `retract_mm`.
+  double reach(double retract_mm) {
+    if (place_ && angle_between_rad(place_->axis, axis_) > largest_link_turn_rad) {
+      // The tool turns at the safe end, as for the control's own cycles.
+      out_.add_event(line_, path::GoHome{});
+      place_.reset();
+    }
+    double height_mm = retract_mm;
+    if (place_) {
+      const Vec3 way_mm = place_->tip_mm - reference_mm_;
+      const double rise_mm = retract_mm - way_mm.dot(axis_);
+      if (rise_mm > same_place_mm) {
+        const Vec3 up_mm = rise_mm / place_->axis.dot(axis_) * place_->axis;
+        out_.add_point(place_->tip_mm + up_mm, place_->axis, line_, path::Move::rapid);
+      }
+      if (rise_mm < -same_place_mm) height_mm = way_mm.dot(axis_);
+      if (place_->axis == axis_ && axis_.cross(way_mm).norm() <= same_place_mm) return height_mm;
+    }
+    rapid_to(height_mm);
+    return height_mm;
   }
 
   bool taps() const { return cycle_->kind == Kind::tap || cycle_->kind == Kind::tap_left; }
@@ -185,7 +233,8 @@ class Expansion {
   void rapid_to(double height_mm) { add(height_mm, path::Move::rapid); }
   void feed_to(double height_mm) { add(height_mm, path::Move::feed); }
   void add(double height_mm, path::Move how) {
-    out_.add_point(reference_mm_ + height_mm * axis_, axis_, line_, how);
+    place_ = {reference_mm_ + height_mm * axis_, axis_};
+    out_.add_point(place_->tip_mm, axis_, line_, how);
   }
 
   const path::ToolPath& path_;
@@ -200,7 +249,9 @@ class Expansion {
   std::optional<path::FeedRate> feed_;          ///< of the path
   std::optional<path::FeedRate> written_feed_;  ///< in the result
   path::Spindle spindle_;
-  std::uint32_t line_ = 0;  ///< of the hole
+  path::ToolChange tool_{.number = 1};  ///< in use; a path that names none is cut with tool 1
+  std::optional<Place> place_;  ///< of the tool; nullopt: it comes from a tool change or from home
+  std::uint32_t line_ = 0;      ///< of the hole
   Vec3 reference_mm_ = Vec3::Zero(), axis_ = Vec3::UnitZ();
 };
 

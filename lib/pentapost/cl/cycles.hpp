@@ -10,11 +10,14 @@ namespace pentapost::cl {
 
 /// `path` with its holes written as single moves along the tool axis.
 ///
-/// A hole is: rapid to the retract height above it, rapid to the clearance, feed to the depth
-/// (deep: pecks with full retracts; break_chip: pecks with small ones), dwell, and out: rapid, at
-/// feed for bore and ream (as G85), with the spindle stopped for bore_drag (as G86), with the
-/// spindle reversed for taps. Its moves carry the CL line of the hole. The feed of the path is
-/// restored behind the holes.
+/// The tool reaches a hole at rapid rate: along its axis up to the retract height of the hole,
+/// across, down to the clearance. Where it is higher already it goes across at its own height;
+/// where its axis turns by more than 1 deg it goes by way of home (GoHome).
+///
+/// A hole is: feed to the depth (deep: pecks with full retracts; break_chip: pecks with small
+/// ones), dwell, and out: rapid, at feed for bore and ream (as G85), with the spindle stopped for
+/// bore_drag (as G86), with the spindle reversed for taps. Its moves carry the CL line of the hole.
+/// The feed of the path is restored behind the holes.
 ///
 /// @param stays_native  true for a point with Move::hole (index into `path`) that is to remain one;
 ///                      such holes keep their cycle's CycleStart and CycleEnd.

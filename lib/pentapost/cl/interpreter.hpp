@@ -62,8 +62,8 @@ class Interpreter {
   void cutter(const Major& major);
   void spindle(const Major& major);
   void feed(const Major& major);
-  void coolant(const Major& major);
   // All others: other_statements.cpp
+  void coolant(const Major& major);
   void unit_statement(const Major& major);
   void part_name(const Major& major);
   void print(const Major& major);
@@ -111,9 +111,11 @@ class Interpreter {
   bool place_hole(const Vec3& tip_mm, Vec3& top_mm);
   void end_cycle();
   void change_tool(int number, std::optional<int> length_register);
+  void change_tool_as_written(std::optional<int> number);
   void add_tool_data(std::optional<double> diameter, std::optional<double> corner_radius,
                      std::optional<double> length);
   void check_feed_unit(const FeedUnit& unit, std::string_view word);
+  void check_low_feed(double feed_mm_min);
   double resolution_mm() const;
   double axis_rounding_rad() const;
 
@@ -139,6 +141,7 @@ class Interpreter {
   bool rapid_ = false;
   bool feed_is_known_ = false;
   bool no_feed_reported_ = false;
+  bool low_feed_reported_ = false;
   int tip_decimals_ = 0, axis_decimals_ = 0;
   bool axis_written_ = false;
   double axis_length_error_ = 0.0;  ///< largest seen

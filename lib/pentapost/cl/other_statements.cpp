@@ -19,6 +19,24 @@ std::string_view free_text(std::string_view text) {
 
 }  // namespace
 
+void Interpreter::coolant(const Major& major) {
+  using State = path::Coolant::State;
+  words_.read(major.rest);
+  State state = last_coolant_;
+  if (words_.has("OFF"))
+    state = State::off;
+  else if (words_.has("MIST"))
+    state = State::mist;
+  else if (words_.has("THRU") || words_.has("THROUGH") || words_.has("TOOL"))
+    state = State::through;
+  else if (words_.has("AIR"))
+    state = State::air;
+  else if (words_.has("FLOOD") || words_.has("TAPKUL"))
+    state = State::flood;
+  if (state != State::off) last_coolant_ = state;
+  path_.add_event(line_, path::Coolant{state});
+}
+
 void Interpreter::unit_statement(const Major& major) {
   if (units_are_given_) return;
   words_.read(major.rest);

@@ -54,6 +54,31 @@ Decimal read_any_decimal(const char* begin, const char* end, int decimals) {
   return found;
 }
 
+bool is_gear(const Word& word) {
+  return word.is_number() || word.is("LOW") || word.is("MEDIUM") || word.is("HIGH");
+}
+
+/// How many words a minor word takes; nullopt: what it needs is not there.
+/// @param behind  the word behind it; nullptr: none.
+std::optional<std::size_t> taken_words(Takes takes, const Word* behind) {
+  const auto one_if = [](bool there) {
+    return there ? std::optional<std::size_t>{1} : std::nullopt;
+  };
+  switch (takes) {
+    case Takes::nothing:
+      return 0;
+    case Takes::number:
+      return one_if(behind != nullptr && behind->is_number());
+    case Takes::number_if_there:
+      return behind != nullptr && behind->is_number() ? 1 : 0;
+    case Takes::number_or_gear:
+      return one_if(behind != nullptr && is_gear(*behind));
+    case Takes::on_or_off:
+      return one_if(behind != nullptr && (behind->is("ON") || behind->is("OFF")));
+  }
+  return std::nullopt;
+}
+
 bool is_separator(char c) {
   return is_blank(c) || c == ',' || c == '(' || c == ')' || c == '/' || c == '=';
 }
@@ -113,12 +138,12 @@ Coordinates read_coordinates(std::string_view text) {
       int& decimals = found.count < 3 ? found.tip_decimals : found.axis_decimals;
       decimals = std::max(decimals, number.decimals);
     }
-    ++found.count;
     at = number.next;
     if (at != end && *at != ',' && !is_blank(*at)) {
       found.fault = Coordinates::Fault::not_a_number;
       return found;
     }
+    ++found.count;
     while (at != end && is_blank(*at)) ++at;
     if (at != end && *at == ',') ++at;
     while (at != end && is_blank(*at)) ++at;
@@ -191,6 +216,27 @@ std::vector<double> Words::numbers() const {
   for (const Word& word : words_)
     if (word.is_number()) found.push_back(word.number);
   return found;
+}
+
+FormMatch match_form(const Words& words, std::span<const MinorWord> known) {
+  FormMatch match;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const Word& word = words[i];
+    if (word.is_number()) {
+      if (match.number) return {{}, {}, "a second number, " + quoted_excerpt(word.text)};
+      match.number = word.number;
+      match.text = word.text;
+      continue;
+    }
+    const auto minor = std::find_if(known.begin(), known.end(),
+                                    [&](const MinorWord& m) { return word.is(m.word); });
+    if (minor == known.end()) return {{}, {}, quoted_excerpt(word.text)};
+    const auto taken = taken_words(minor->takes, i + 1 < words.size() ? &words[i + 1] : nullptr);
+    if (!taken) return {{}, {}, quoted_excerpt(word.text) + " without its value"};
+    i += *taken;
+  }
+  if (words.has_damage()) return {{}, {}, "too many words"};
+  return match;
 }
 
 Major read_major(std::string_view text) {

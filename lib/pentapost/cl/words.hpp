@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,7 +38,7 @@ Decimal read_decimal(const char* begin, const char* end);
 struct Coordinates {
   enum class Fault : std::uint8_t { none, not_a_number, not_finite };
   std::array<double, 6> value{};  ///< in the file's unit; the first `count` are set
-  std::size_t count = 0;          ///< numbers found, may be more than 6
+  std::size_t count = 0;          ///< readable numbers before the fault, may be more than 6
   int tip_decimals = 0;           ///< most decimals among the first three
   int axis_decimals = 0;          ///< most decimals among the others
   Fault fault = Fault::none;
@@ -55,6 +56,10 @@ struct Word {
 
   bool is(std::string_view word) const { return kind == Kind::word && same_word(text, word); }
   bool is_number() const { return kind == Kind::number; }
+  /// True where nothing parts `before` from this word: "1O" is the number 1 and the word O.
+  bool is_glued_to(const Word& before) const {
+    return before.is_number() && before.text.data() + before.text.size() == text.data();
+  }
 };
 
 /// The words of a statement behind its major word. Commas, blanks, brackets and "/" part them; a
@@ -83,6 +88,25 @@ class Words {
   std::vector<Word> words_;
   bool damaged_ = false;
 };
+
+/// What stands directly behind a minor word.
+enum class Takes : std::uint8_t { nothing, number, number_if_there, number_or_gear, on_or_off };
+
+/// A minor word that a statement knows.
+struct MinorWord {
+  std::string_view word;
+  Takes takes = Takes::nothing;
+};
+
+/// A statement held against the minor words that it knows.
+struct FormMatch {
+  std::optional<double> number = {};  ///< that no word takes
+  std::string_view text = {};         ///< of the number
+  std::string fault = {};             ///< what does not belong there, for messages; empty: nothing
+};
+
+/// Takes at most one number that no word takes; all else has to be in `known`.
+FormMatch match_form(const Words& words, std::span<const MinorWord> known);
 
 /// The major word at the start of a statement.
 struct Major {

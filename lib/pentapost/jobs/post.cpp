@@ -3,7 +3,9 @@
 #include "pentapost/cl/cycles.hpp"
 #include "pentapost/core/number_text.hpp"
 #include "pentapost/core/sha256.hpp"
+#include "pentapost/jobs/job_domain.hpp"
 #include "pentapost/jobs/tool_path.hpp"
+#include "pentapost/jobs/unproven.hpp"
 #include "pentapost/kinematics/model.hpp"
 #include "pentapost/nc/dialect.hpp"
 #include "pentapost/nc/reader.hpp"
@@ -40,7 +42,11 @@ Result<Control> control_of(const PostJob& job) {
   // Options are words of the definition's own control.
   if (name == job.machine.controller.dialect) control.options = job.machine.controller.options;
   auto abilities = control.dialect->abilities(control.options);
-  if (!abilities) return std::move(abilities).error();
+  if (!abilities) {
+    Problem problem = std::move(abilities).error();
+    problem.pointer.insert(0, "/machine");
+    return problem;
+  }
   control.abilities = *abilities;
   control.output = job.post.output.value_or(job.machine.controller.output);
   return control;
@@ -143,29 +149,68 @@ std::vector<AxisReport> axis_reports(const plan::JointRanges& ranges,
 
 path::ProgramHeader header_of(const PostJob& job, const path::ToolPath& tool_path) {
   constexpr std::size_t short_hash_digits = 12;
-  return {.program_name = job.post.program_name.value_or(tool_path.program_name),
+  const std::string& own =
+      tool_path.program_name.empty() ? job.post.default_program_name : tool_path.program_name;
+  return {.program_name = job.post.program_name.value_or(own),
           .machine = job.machine.name + "@" + job.machine.version,
           .machine_hash = job.machine.sha256.substr(0, short_hash_digits),
           .comments = {}};
 }
 
-/// Text that the CL data insert is the caller's: where it keeps a program from being proven, the
-/// fault is not the service's.
-Problem unproven(Problem problem, const path::ToolPath& tool_path) {
-  for (const path::Event& event : tool_path.events) {
-    const auto* inserted = std::get_if<path::InsertedText>(&event.what);
-    if (inserted == nullptr) continue;
-    return {.code = Code::not_in_dialect,
-            .message = "the program with the text that the CL data insert (first at CL line " +
-                       std::to_string(event.cl_line) + ") cannot be proven: " + problem.message,
-            .cl_line = event.cl_line};
-  }
+/// The program of a job, and its proof.
+Result<verify::Proof> write_and_prove(const PostJob& job, const Control& control,
+                                      const kinematics::Model& model,
+                                      const plan::Settings& settings,
+                                      const path::ToolPath& tool_path, const path::Motion& motion,
+                                      std::string& nc) {
+  const auto header = header_of(job, tool_path);
+  verify::Claim claim{.tool_path = tool_path,
+                      .model = model,
+                      .motion = motion,
+                      .reader_setup = {.letters = motion.letters},
+                      .output = control.output,
+                      .origin_mm = settings.origin_mm,
+                      .gauge_length_mm = job.gauge_length_mm,
+                      .tip_tolerance_mm = settings.tip_tolerance_mm,
+                      .axis_tolerance_rad = settings.axis_tolerance_rad};
+  const auto with = [&](const machine::Options& options,
+                        std::string& text) -> Result<verify::Proof> {
+    if (auto status = control.dialect->write(motion, header, options, text); !status)
+      return std::move(status).error();
+    claim.reader_setup.options = options;
+    return verify::prove(text, *control.reader, claim);
+  };
+  auto proof = with(control.options, nc);
+  if (proof || proof.error().code != Code::proof_failed) return proof;
+  return unproven(std::move(proof).error(), *control.dialect, control.options, tool_path,
+                  [&](const machine::Options& options) {
+                    std::string text;
+                    return with(options, text).has_value();
+                  });
+}
+
+/// What the planning refuses, with the place in the job.
+Problem placed(Problem problem) {
+  if (problem.code == Code::tolerance_below_digits && problem.pointer.empty())
+    problem.pointer = "/tolerances";
   return problem;
 }
 
 }  // namespace
 
+Status check_options(const machine::Definition& definition) {
+  const auto* const dialect = nc::find_dialect(definition.controller.dialect);
+  if (dialect == nullptr)
+    return Problem{.code = Code::unknown_dialect,
+                   .message = "there is no dialect " + definition.controller.dialect,
+                   .pointer = "/controller/dialect"};
+  auto abilities = dialect->abilities(definition.controller.options);
+  if (!abilities) return std::move(abilities).error();
+  return ok();
+}
+
 Result<PostReport> post(const PostJob& job) {
+  if (auto status = check_domain(job); !status) return std::move(status).error();
   auto control = control_of(job);
   if (!control) return std::move(control).error();
   auto read = read_path(job);
@@ -192,25 +237,11 @@ Result<PostReport> post(const PostJob& job) {
       !status)
     return std::move(status).error();
   auto program = plan::plan_program(model, ranges, tool_path, settings);
-  if (!program) return std::move(program).error();
+  if (!program) return placed(std::move(program).error());
 
-  if (auto status = control->dialect->write(program->motion, header_of(job, tool_path),
-                                            control->options, report.nc);
-      !status)
-    return std::move(status).error();
-
-  const auto proof = verify::prove(
-      report.nc, *control->reader,
-      {.tool_path = tool_path,
-       .model = model,
-       .motion = program->motion,
-       .reader_setup = {.letters = program->motion.letters, .options = control->options},
-       .output = control->output,
-       .origin_mm = settings.origin_mm,
-       .gauge_length_mm = job.gauge_length_mm,
-       .tip_tolerance_mm = settings.tip_tolerance_mm,
-       .axis_tolerance_rad = settings.axis_tolerance_rad});
-  if (!proof) return unproven(proof.error(), tool_path);
+  const auto proof =
+      write_and_prove(job, *control, model, settings, tool_path, program->motion, report.nc);
+  if (!proof) return proof.error();
 
   report.machine_name = job.machine.name;
   report.machine_version = job.machine.version;

@@ -33,20 +33,26 @@ struct PointPath {
 struct Setup {
   std::optional<Vec3> origin_mm =
       {};  ///< CL origin in base coordinates, all joints at zero; nullopt: not known
-  double theta_x_deg =
-      0.0;  ///< reorientation, signs of Cripps et al. 2017 (lib/README.md section 7)
-  double theta_z_deg = 0.0;
+  double theta_x_deg = 0.0;  ///< reorientation, signs of Cripps et al. 2017 (lib/README.md section
+                             ///< 7); at most largest_setup_angle_deg either way
+  double theta_z_deg = 0.0;  ///< likewise
 };
 
+// A larger tolerance is a misplaced decimal point, or the part is lost.
+inline constexpr double largest_tip_tolerance_mm = 1.0;
+inline constexpr double largest_axis_tolerance_deg = 5.0;
+inline constexpr double largest_setup_angle_deg = 360.0;
+
 struct Tolerances {
-  double tip_mm = 0.01;    ///< > 0
-  double axis_deg = 0.05;  ///< > 0
+  double tip_mm = 0.01;    ///< > 0, at most largest_tip_tolerance_mm
+  double axis_deg = 0.05;  ///< > 0, at most largest_axis_tolerance_deg
 };
 
 struct PostOptions {
   std::optional<Output> output = {};                ///< nullopt: as the definition
   std::optional<std::string> dialect = {};          ///< nullopt: as the definition
   std::optional<std::string> program_name = {};     ///< nullopt: PARTNO
+  std::string default_program_name = {};            ///< where there is no PARTNO either
   std::optional<machine::Preferences> prefer = {};  ///< nullopt: as the definition
   bool flank = false;  ///< a flank cut: the tool axis has no freedom at the pole
 };
@@ -103,10 +109,16 @@ struct PostReport {
   Diagnostics diagnostics;
 };
 
+/// Whether the options of a definition's controller are those of its dialect and can be used.
+///
+/// @return Problem bad_option or unknown_dialect, its pointer into the definition.
+Status check_options(const machine::Definition& definition);
+
 /// CL data in, proven NC program out. No program without a passed proof.
 ///
 /// @return the program and its report, or the Problem: CL data (400), this machine can't (422), or
-///         Code::proof_failed (500), which names the block.
+///         Code::proof_failed (500), which names the block. What the text of the CL data or of the
+///         controller's options keeps from being proven is not_in_dialect.
 Result<PostReport> post(const PostJob& job);
 
 }  // namespace pentapost::jobs

@@ -32,6 +32,16 @@ Problem unknown_cl_dialect(std::string_view name) {
           .pointer = "/cl_dialect"};
 }
 
+/// The error to be put forward: a damaged motion before all others, else the first.
+Diagnostic worst_of(const Diagnostics& diagnostics) {
+  const auto& list = diagnostics.list();
+  const auto error = [](const Diagnostic& each) { return each.severity == Severity::error; };
+  const auto motion = std::find_if(list.begin(), list.end(), [&](const Diagnostic& each) {
+    return error(each) && each.code == Code::damaged_motion;
+  });
+  return motion != list.end() ? *motion : *std::find_if(list.begin(), list.end(), error);
+}
+
 Result<ReadPath> read_cl(const ClText& cl) {
   if (cl.dialect && cl::find_cl_dialect(*cl.dialect) == nullptr)
     return unknown_cl_dialect(*cl.dialect);
@@ -40,12 +50,9 @@ Result<ReadPath> read_cl(const ClText& cl) {
   if (cl.dialect) options.dialect = *cl.dialect;
   cl::ReadResult read = cl::read(cl.text, options);
   if (read.diagnostics.has_errors()) {
-    const auto& list = read.diagnostics.list();
-    const auto first = std::find_if(list.begin(), list.end(), [](const Diagnostic& diagnostic) {
-      return diagnostic.severity == Severity::error;
-    });
-    Problem problem{.code = first->code, .message = first->message};
-    if (first->cl_line > 0) problem.cl_line = first->cl_line;
+    const Diagnostic worst = worst_of(read.diagnostics);
+    Problem problem{.code = worst.code, .message = worst.message};
+    if (worst.cl_line > 0) problem.cl_line = worst.cl_line;
     problem.diagnostics = std::move(read.diagnostics);
     return problem;
   }

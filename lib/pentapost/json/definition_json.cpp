@@ -36,7 +36,7 @@ UnitVector direction_of(const Object& object, std::string_view key) {
 }
 
 std::optional<Range<Angle>> angle_range_of(const Object& object, std::string_view key) {
-  const auto range_deg = object.optional_range(key);
+  const auto range_deg = object.optional_range(key, Code::definition_meaning);
   if (!range_deg) return std::nullopt;
   return Range<Angle>{Angle::degrees(range_deg->lower), Angle::degrees(range_deg->upper)};
 }
@@ -48,7 +48,8 @@ struct Axis {
 
 Axis read_linear_axis(const std::string& name, const Object& object) {
   Axis axis{.joint = {name, machine::LinearJoint{.direction = direction_of(object, "direction"),
-                                                 .range_mm = object.optional_range("range_mm")}},
+                                                 .range_mm = object.optional_range(
+                                                     "range_mm", Code::definition_meaning)}},
             .limits = {}};
   const auto limit = Domain::positive();
   axis.limits.max_speed = object.optional_number("max_speed_mm_s", limit);

@@ -6,7 +6,7 @@
 
 #include "pentapost/json/machine_schema.hpp"
 
-#include "pentapost/json/node.hpp"
+#include "pentapost/json/strict_reader.hpp"
 
 #include <nlohmann/json.hpp>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>

@@ -52,9 +52,6 @@ inline ObjectNode* object_of(const Node* node) {
 /// Parses a text into a tree; Problems are those of Document::parse.
 Result<Node> parse_tree(std::string_view text);
 
-/// One step of a JSON pointer, escaped as RFC 6901 asks, with the slash before it.
-std::string pointer_step(std::string_view key);
-
 /// A text for a message: in quotation marks, or its length where it is long.
 std::string quoted(std::string_view text);
 

@@ -76,7 +76,10 @@ std::vector<std::string> Object::keys() const {
 Value Object::value(std::string_view key) const {
   if (Member* const member = ask_for(value_.node_, key))
     return Value{value_.reading_, &member->node};
-  if (value_.node_ != nullptr) fail(Code::missing_key, "the key " + quoted(key) + " is missing");
+  if (value_.node_ != nullptr && !value_.reading_->problem)
+    value_.reading_->problem = Problem{.code = Code::missing_key,
+                                       .message = "the key " + quoted(key) + " is missing",
+                                       .pointer = pointer() + pointer_step(key)};
   return Value{value_.reading_, nullptr};
 }
 
@@ -138,15 +141,14 @@ std::optional<Vec3> Object::optional_vector3(std::string_view key) const {
   return found ? std::optional{vector_of(*found)} : std::nullopt;
 }
 
-std::optional<Range<double>> Object::optional_range(std::string_view key) const {
+std::optional<Range<double>> Object::optional_range(std::string_view key, Code reversed) const {
   const auto found = optional_value(key);
   if (!found) return std::nullopt;
   const auto bounds = found->array().numbers(2);
   if (bounds.size() != 2) return std::nullopt;
   if (bounds[0] < bounds[1]) return Range<double>{bounds[0], bounds[1]};
-  found->fail(Code::out_of_domain, "found [" + number_text(bounds[0]) + ", " +
-                                       number_text(bounds[1]) +
-                                       "]; expected a lower and a greater upper bound");
+  found->fail(reversed, "found [" + number_text(bounds[0]) + ", " + number_text(bounds[1]) +
+                            "]; expected a lower and a greater upper bound");
   return std::nullopt;
 }
 

@@ -51,6 +51,9 @@ struct Domain {
   }
 };
 
+/// One step of a JSON pointer, escaped as RFC 6901 asks, with the slash before it.
+std::string pointer_step(std::string_view key);
+
 /// View of any JSON value.
 class Value {
  public:
@@ -106,7 +109,7 @@ class Array {
 };
 
 /// View of an object. Notes in the document which keys were asked for. `optional_` getters take a
-/// missing key and null as none; the others keep missing_key.
+/// missing key and null as none; the others keep missing_key, at the place where it would stand.
 class Object {
  public:
   bool has(std::string_view key) const;   ///< there and not null; does not count as asked for
@@ -132,7 +135,9 @@ class Object {
   Vec3 vector3(std::string_view key) const;
   std::optional<Vec3> optional_vector3(std::string_view key) const;
   /// [lower, upper] with lower < upper.
-  std::optional<Range<double>> optional_range(std::string_view key) const;
+  /// @param reversed  the code where it is not so.
+  std::optional<Range<double>> optional_range(std::string_view key,
+                                              Code reversed = Code::out_of_domain) const;
   Array array(std::string_view key) const;
   std::optional<Array> optional_array(std::string_view key) const;
   Object object(std::string_view key) const;

@@ -68,8 +68,8 @@ CommonSettings read_common(OptionReader& reader) {
   settings.start_lines = reader.lines("start_lines");
   settings.end_lines = reader.lines("end_lines");
   settings.safe_retract = reader.lines("safe_retract");
-  settings.tool_change = reader.lines("tool_change");
-  settings.tcp_on = reader.lines("tcp_on");
+  settings.tool_change = reader.lines("tool_change", {"{tool}", "{speed}"});
+  settings.tcp_on = reader.lines("tcp_on", {"{register}"});
   settings.tcp_off = reader.lines("tcp_off");
   settings.smoothing_on = reader.lines("smoothing_on");
   settings.smoothing_off = reader.lines("smoothing_off");
@@ -84,10 +84,14 @@ CommonSettings read_common(OptionReader& reader) {
   settings.rotary_feed_deg_min = reader.number("rotary_feed_deg_min", 0.0, largest_feed);
   settings.retract_mm = reader.number("retract_mm", 0.0, 10'000.0);
   settings.plunge_feed_mm_min = reader.number("plunge_feed_mm_min", 0.0, largest_feed);
-  for (const std::string_view needed :
-       {"end_lines", "safe_retract", "tool_change", "tcp_on", "tcp_off"}) {
-    if (reader.lines(needed).empty()) reader.refuse(needed, "must hold at least one block");
-  }
+  const auto need = [&reader](std::string_view name, const std::vector<std::string>& lines) {
+    if (lines.empty()) reader.refuse(name, "must hold at least one block");
+  };
+  need("end_lines", settings.end_lines);
+  need("safe_retract", settings.safe_retract);
+  need("tool_change", settings.tool_change);
+  need("tcp_on", settings.tcp_on);
+  need("tcp_off", settings.tcp_off);
   if (settings.coolant.off.empty()) reader.refuse("coolant_off", "must not be empty");
   if (settings.rapid_as_line && settings.rapid_feed_mm_min <= 0.0)
     reader.refuse("rapid_feed_mm_min", "must be above 0 where rapid_as_line is true");

@@ -77,6 +77,7 @@ bool FanucWriter::act(const path::ToolCall& call, std::uint32_t cl_line) {
 }
 
 bool FanucWriter::act(const path::Spindle& spindle, std::uint32_t cl_line) {
+  if (spindle.speed_rpm) speed_rpm_ = spindle.speed_rpm;
   return done(blocks_.spindle(spindle, cl_line));
 }
 
@@ -173,6 +174,15 @@ bool FanucWriter::act(const path::NativeCycle& cycle, std::uint32_t) {
 void FanucWriter::write_cycle_code(std::string& out) const {
   out += cycle_.retract_to_clearance ? "G99 " : "G98 ";
   append_whole_word(out, 'G', cycle_code(cycle_));
+}
+
+/// Else a parameter decides whether G84 couples feed and spindle (bit G84 of parameter 5200).
+void FanucWriter::write_rigid_tapping() {
+  if (!is_tapping(cycle_.kind)) return;
+  const auto speed = speed_rpm_ ? nearest_count(*speed_rpm_, 0) : std::nullopt;
+  const std::string speed_word = speed ? "S" + std::to_string(*speed) : std::string{};
+  for (const std::string& line : settings_.rigid_tapping)
+    text_.block(filled(line, "{speed}", speed_word));
 }
 
 bool FanucWriter::write_cycle_parameters(std::string& out, std::uint32_t cl_line) {

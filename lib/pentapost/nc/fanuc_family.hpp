@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pentapost::nc {
 
@@ -22,7 +23,8 @@ struct FanucSettings {
   bool tape_marks = true;    ///< "%" around the program
   bool modal_words = true;   ///< leave out axis words that do not change
   Dwell dwell = Dwell::p_milliseconds;
-  double largest_inverse_time = 0.0;  ///< 1/min, > 0
+  std::vector<std::string> rigid_tapping;  ///< before a tapping cycle; {speed}: the S word
+  double largest_inverse_time = 0.0;       ///< 1/min, > 0
   int inverse_time_decimals = 3;
   int whole_digits = 6;  ///< most digits of an axis word before the point
   std::int64_t largest_block_number = 99'999;

@@ -114,6 +114,7 @@ bool FanucWriter::write_hole(const path::Block& block) {
     throw std::logic_error{"FanucWriter: a hole without a cycle or without X, Y, Z"};
   const bool first = cycle_state_ == CycleState::ordered;
   const bool length = approach(block);
+  if (first) write_rigid_tapping();
   std::string& out = text_.begin_block();
   if (first) write_mode(out, path::Block::Feed::per_minute);
   if (length) out += "G43 ";

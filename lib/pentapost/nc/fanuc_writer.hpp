@@ -50,6 +50,7 @@ class FanucWriter {
   bool write_hole(const path::Block& block);
   std::uint8_t hole_words(const path::Block& block) const;
   void write_cycle_code(std::string& out) const;
+  void write_rigid_tapping();
   bool write_cycle_parameters(std::string& out, std::uint32_t cl_line);
   bool approach(const path::Block& block);
   void write_motion_code(std::string& out, int code);
@@ -79,8 +80,9 @@ class FanucWriter {
   path::NativeCycle cycle_;
   CycleState cycle_state_ = CycleState::off;
   std::int64_t hole_bottom_ = 0;
-  int length_register_ = 1;  ///< a path that names no tool is cut with tool 1
-  bool approached_ = false;  ///< Z was stated since the last retract
+  std::optional<double> speed_rpm_;  ///< last one that was stated
+  int length_register_ = 1;          ///< a path that names no tool is cut with tool 1
+  bool approached_ = false;          ///< Z was stated since the last retract
   bool length_on_ = false;
 };
 

@@ -34,6 +34,28 @@ std::string range_text(double lowest, double highest) {
   return "outside " + number_text(lowest, 6) + " to " + number_text(highest, 6);
 }
 
+/// The first "{word}" in `line` that is not among `known`; empty: there is none.
+std::string_view unknown_placeholder(std::string_view line,
+                                     std::initializer_list<std::string_view> known) {
+  for (auto open = line.find('{'); open != std::string_view::npos;
+       open = line.find('{', open + 1)) {
+    const auto close = line.find('}', open);
+    if (close == std::string_view::npos) return {};
+    const auto placeholder = line.substr(open, close - open + 1);
+    if (std::ranges::find(known, placeholder) == known.end()) return placeholder;
+  }
+  return {};
+}
+
+std::string unknown_placeholder_text(std::string_view found,
+                                     std::initializer_list<std::string_view> known) {
+  std::string text{found};
+  text += " stands for nothing";
+  for (const std::string_view placeholder : known)
+    text.append(placeholder == *known.begin() ? "; known is " : ", ").append(placeholder);
+  return text;
+}
+
 std::string pointer_to(std::string_view name) {
   std::string pointer = "/controller/options/";
   for (const char c : name) {
@@ -103,11 +125,14 @@ std::string OptionReader::text(std::string_view name) {
   return given;
 }
 
-std::vector<std::string> OptionReader::lines(std::string_view name) {
+std::vector<std::string> OptionReader::lines(std::string_view name,
+                                             std::initializer_list<std::string_view> placeholders) {
   const auto& given = typed<std::vector<std::string>>(name, "a list of strings");
   for (const std::string& line : given) {
     if (line.empty() || !is_printable(line))
       refuse(name, "each string must be one line of 1 to 250 printable ASCII characters");
+    const auto unknown = unknown_placeholder(line, placeholders);
+    if (!unknown.empty()) refuse(name, unknown_placeholder_text(unknown, placeholders));
   }
   return given;
 }

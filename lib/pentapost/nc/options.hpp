@@ -4,6 +4,7 @@
 #include "pentapost/machine/definition.hpp"
 #include "pentapost/nc/dialect.hpp"
 
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,7 +30,9 @@ class OptionReader {
   /// One line of printable ASCII; may be empty.
   std::string text(std::string_view name);
   /// Lines of printable ASCII, none of them empty. The list may be empty.
-  std::vector<std::string> lines(std::string_view name);
+  /// @param placeholders  what the dialect fills in, "{tool}"; others are refused.
+  std::vector<std::string> lines(std::string_view name,
+                                 std::initializer_list<std::string_view> placeholders = {});
 
   /// Refuses the option for a reason of the caller's.
   void refuse(std::string_view name, const std::string& reason);

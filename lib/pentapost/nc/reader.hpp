@@ -56,9 +56,10 @@ struct ReadMotion {
   int whole_turns =
       0;  ///< beyond the way from start to end; a full circle ends where it starts and has 1
   // drill: position is the hole at its bottom
-  double clearance_z_mm = 0.0;  ///< feed starts here
-  double retract_z_mm = 0.0;    ///< the tool is here afterwards
-  double peck_mm = 0.0;         ///< 0: none
+  std::optional<double> travel_z_mm;  ///< level of the way across; nullopt: not known
+  double clearance_z_mm = 0.0;        ///< feed starts here
+  double retract_z_mm = 0.0;          ///< the tool is here afterwards
+  double peck_mm = 0.0;               ///< 0: none
   double dwell_s = 0.0;
   Hole hole = Hole::drill;
   std::string_view cycle;  ///< the cycle's word, "G81"

@@ -28,8 +28,8 @@ Problem uncallable(std::string_view words, std::uint32_t cl_line) {
 
 Problem no_coolant_code(path::Coolant::State state, std::uint32_t cl_line) {
   return refusal(Code::not_in_dialect,
-                 "the machine has no code for this coolant; the option " +
-                     std::string{coolant_option(state)} + " can give one",
+                 "the machine has no code for this coolant; " + std::string{coolant_option(state)} +
+                     " in controller.options of its definition can give one",
                  cl_line);
 }
 

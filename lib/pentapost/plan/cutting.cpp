@@ -253,7 +253,8 @@ class Cutting {
   }
 
   Status drill_at(std::uint32_t point, const RotaryPair& arrival) {
-    auto above = drill(tool_path_, point, arrival, !same(rotary_, arrival), maker_, frame_);
+    auto above =
+        drill(tool_path_, point, posture_, arrival, !same(rotary_, arrival), maker_, frame_);
     if (!above) return std::move(above).error();
     posture_ = *above;
     rotary_ = arrival;

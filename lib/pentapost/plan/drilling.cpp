@@ -3,6 +3,7 @@
 #include "pentapost/plan/sequences.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace pentapost::plan {
@@ -27,6 +28,23 @@ bool can_be_native(const path::CycleStart& cycle) {
   return level_fits && pecks_known && dwell_known;
 }
 
+/// Along Z alone, which is the drilling axis.
+void rise(const Posture& from, std::int64_t z, std::uint32_t point, Frame& frame) {
+  Posture above = from;
+  above.word[z_column] = z;
+  path::Block& block = frame.add_block(above, point, path::Block::Kind::rapid);
+  block.stated = 1U << z_column;
+  block.on_path = false;
+}
+
+/// A tap's feed follows from its pitch; nullopt: the CL data give none.
+std::optional<double> feed_of_hole(const path::CycleStart& cycle, const Frame& frame) {
+  using Kind = path::CycleStart::Kind;
+  const bool taps = cycle.kind == Kind::tap || cycle.kind == Kind::tap_left;
+  if (taps && cycle.pitch_mm && frame.speed_rpm()) return *cycle.pitch_mm * *frame.speed_rpm();
+  return cycle.feed_mm_min ? cycle.feed_mm_min : frame.feed_mm_min();
+}
+
 }  // namespace
 
 std::function<bool(std::uint32_t point)> native_holes(const kinematics::Model& model,
@@ -48,7 +66,7 @@ std::function<bool(std::uint32_t point)> native_holes(const kinematics::Model& m
   return [native = std::move(native)](std::uint32_t point) { return native[point]; };
 }
 
-Result<Posture> drill(const path::ToolPath& tool_path, std::uint32_t point,
+Result<Posture> drill(const path::ToolPath& tool_path, std::uint32_t point, const Posture& from,
                       const RotaryPair& rotary, bool rotary_moves, BlockMaker& maker,
                       Frame& frame) {
   const path::CycleStart& cycle = *frame.cycle();
@@ -61,7 +79,8 @@ Result<Posture> drill(const path::ToolPath& tool_path, std::uint32_t point,
   if (!bottom) return bottom.error();
   const auto clear = level(cycle.clearance_mm);
   if (!clear) return clear.error();
-  if (!frame.feed_mm_min() && !cycle.feed_mm_min)
+  const auto feed_mm_min = feed_of_hole(cycle, frame);
+  if (!feed_mm_min)
     return Problem{.code = Code::no_feed,
                    .message = "the hole at CL line " + std::to_string(line) + " has no feed",
                    .cl_line = line};
@@ -69,6 +88,8 @@ Result<Posture> drill(const path::ToolPath& tool_path, std::uint32_t point,
     // A table that turns under the tool would swing the part into it.
     frame.leave();
     frame.approach(*clear, std::nullopt, point, false).on_path = false;
+  } else if (clear->word[z_column] > from.word[z_column]) {
+    rise(from, clear->word[z_column], point, frame);
   }
   path::NativeCycle native;
   native.kind = cycle.kind;
@@ -76,7 +97,7 @@ Result<Posture> drill(const path::ToolPath& tool_path, std::uint32_t point,
   native.bottom_z = bottom->word[z_column];
   if (cycle.peck_mm) native.peck = std::max<std::int64_t>(1, maker.count_mm(*cycle.peck_mm));
   native.dwell_s = cycle.dwell_s;
-  native.feed_mm_min = cycle.feed_mm_min.value_or(frame.feed_mm_min().value_or(0.0));
+  native.feed_mm_min = *feed_mm_min;
   frame.start_cycle(native, line);
   path::Block& block = frame.add_block(*bottom, point, path::Block::Kind::drill);
   block.feed_mode = path::Block::Feed::per_minute;

@@ -19,9 +19,12 @@ std::function<bool(std::uint32_t point)> native_holes(const kinematics::Model& m
                                                       const path::ToolPath& tool_path,
                                                       const Settings& settings);
 
-/// Writes the hole of the cycle that is on. Brings the rotary axes there first, from the safe end.
+/// Writes the hole of the cycle that is on. Brings the rotary axes there first, from the safe end;
+/// where they stand still and the tool is below the clearance, it rises first: in a cycle the
+/// control moves across at the level where the tool is.
+/// @param from  where the tool is.
 /// @return the posture at the retract level.
-Result<Posture> drill(const path::ToolPath& tool_path, std::uint32_t point,
+Result<Posture> drill(const path::ToolPath& tool_path, std::uint32_t point, const Posture& from,
                       const RotaryPair& rotary, bool rotary_moves, BlockMaker& maker, Frame& frame);
 
 }  // namespace pentapost::plan

@@ -140,10 +140,17 @@ void Frame::take(const path::Event& event) {
       frame.end_cycle(line);
       frame.cycle_.reset();
     }
-    void operator()(const path::Dwell& dwell) const { frame.act(dwell, line); }
+    // Words of a dwell or of a text could be those of another hole.
+    void operator()(const path::Dwell& dwell) const {
+      frame.end_cycle(line);
+      frame.act(dwell, line);
+    }
     void operator()(const path::Stop& stop) const { frame.act(stop, line); }
     void operator()(const path::Comment& comment) const { frame.act(comment, line); }
-    void operator()(const path::InsertedText& text) const { frame.act(text, line); }
+    void operator()(const path::InsertedText& text) const {
+      frame.end_cycle(line);
+      frame.act(text, line);
+    }
     void operator()(const path::Operation& operation) const { frame.comment(operation.name, line); }
     void operator()(const path::GoHome&) const { frame.leave(); }
     void operator()(const path::StartPoint&) const {}

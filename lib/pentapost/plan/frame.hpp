@@ -50,6 +50,8 @@ class Frame {
   void position_rotary(const Posture& posture, std::uint32_t point);
 
   std::optional<double> feed_mm_min() const { return feed_mm_min_; }  ///< active; nullopt: none yet
+  /// As the CL data have it; nullopt: none yet.
+  std::optional<double> speed_rpm() const { return spindle_.speed_rpm; }
   const path::Arc* arc() const {
     return arc_ ? &*arc_ : nullptr;
   }  ///< of the move to the point in hand

@@ -32,7 +32,8 @@ Status check_tolerances(const Settings& settings) {
                    .message = std::string{"the tolerance "} + what + " = " +
                               number_text(tolerance) + " " + unit +
                               " is finer than the digits printed allow (" + number_text(digits, 6) +
-                              " " + unit + ")"};
+                              " " + unit + ")",
+                   .pointer = std::string{"/tolerances/"} + what};
   };
   const double tip_mm = 0.5 * std::sqrt(3.0) * std::pow(10.0, -settings.decimals_mm);
   if (settings.tip_tolerance_mm < tip_mm)

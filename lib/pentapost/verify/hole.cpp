@@ -52,6 +52,25 @@ Deviation hole_deviation(const HoleLevels& expected, const Vec3& axis, const Sto
           .axis_chord = (bottom.station.axis - axis).norm()};
 }
 
+std::string wrong_travel(const Stop& from, const Stop& clearance, const std::optional<Stop>& travel,
+                         const std::optional<Vec3>& last_mm, const Vec3& axis,
+                         const Deviation& limit) {
+  const Vec3 way_mm = clearance.station.tip_mm - from.station.tip_mm;
+  if (from.placed && axis.cross(way_mm).norm() <= limit.tip_mm) return {};
+  if (!travel) return "the way to the hole runs at a level that is not known";
+  const Vec3& travel_mm = travel->station.tip_mm;
+  const auto below = [&](const Vec3& place_mm) {
+    const Vec3 up_mm = place_mm - travel_mm;
+    const double slack_mm = limit.tip_mm + limit.axis_chord * up_mm.norm();
+    return up_mm.dot(axis) <= slack_mm ? 0.0 : up_mm.dot(axis);
+  };
+  const double below_last_mm = last_mm ? below(*last_mm) : 0.0;
+  const double below_mm = std::max(below(clearance.station.tip_mm), below_last_mm);
+  if (below_mm <= 0.0) return {};
+  return "the way to the hole runs " + number_text(below_mm, 6) + " mm below the level of " +
+         (below_last_mm == below_mm ? "the point before" : "its clearance");
+}
+
 std::string wrong_cycle_data(const nc::ReadMotion& motion, const path::CycleStart& cycle,
                              double length_rounding_mm) {
   if (motion.hole != hole_of(cycle))

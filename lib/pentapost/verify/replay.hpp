@@ -57,6 +57,7 @@ class Replay {
   BlockCurve curve() const;
   const path::Segment& move_to(std::uint32_t point);
   Vec3 move_start_mm(std::uint32_t point) const;
+  std::optional<Vec3> last_place_mm(std::uint32_t point) const;
   double move_length_mm(std::uint32_t point);
   std::optional<double> gauge_length_mm() const;
 

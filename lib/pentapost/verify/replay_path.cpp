@@ -210,6 +210,13 @@ bool Replay::cut_arc(const nc::ReadMotion& motion, const Covered& covered) {
                  .tip_resolution_mm = tip_resolution_mm_});
 }
 
+std::optional<Vec3> Replay::last_place_mm(std::uint32_t point) const {
+  const auto& axes = claim_.tool_path.axis_wp;
+  if (point == 0 || cl_.starts_anew()) return std::nullopt;
+  if (!((axes[point] - axes[point - 1]).norm() <= limit_.axis_chord)) return std::nullopt;
+  return move_start_mm(point);
+}
+
 bool Replay::drill(const nc::ReadMotion& motion, const Covered& covered) {
   const path::CycleStart* cycle = cl_.cycle();
   if (motion.kind != Kind::drill || cycle == nullptr)
@@ -221,6 +228,8 @@ bool Replay::drill(const nc::ReadMotion& motion, const Covered& covered) {
   if ((from.known & columns_.rotary()) != columns_.rotary() ||
       !std::equal(from.words.begin() + 3, from.words.end(), bottom.words.begin() + 3))
     return fail("a rotary axis moves within a drilling cycle, or is not known before it");
+  if (excursion_.is_active() && excursion_.wrong_for_return())
+    return fail("before this hole the tool " + *excursion_.wrong_for_return());
   excursion_.end();
   if (settings_are_new_ && !settings_are_right()) return false;
   std::string wrong = wrong_hole_feed(motion, cl_);
@@ -233,6 +242,10 @@ bool Replay::drill(const nc::ReadMotion& motion, const Covered& covered) {
   const Stop clearance = position_.place_with(*z, motion.clearance_z_mm, gauge_mm);
   const Stop retract = position_.place_with(*z, motion.retract_z_mm, gauge_mm);
   if (!prove(hole_deviation(levels, axis, bottom, clearance, retract))) return false;
+  std::optional<Stop> travel;
+  if (motion.travel_z_mm) travel = position_.place_with(*z, *motion.travel_z_mm, gauge_mm);
+  wrong = wrong_travel(from, clearance, travel, last_place_mm(covered.point), axis, limit_);
+  if (!wrong.empty()) return fail(wrong);
   position_.set(retract);
   hole_retract_mm_ = levels.retract_mm;
   return true;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -44,13 +46,100 @@ std::string moves_of_hole(const path::ToolPath& path) {
 
 TEST(ExpandCycles, DrillsInOneGo) {
   EXPECT_EQ(moves_of_hole(expand_cycles(one_hole({.depth_mm = 5, .clearance_mm = 2}), none)),
-            "r2 f-5 r2");
+            "r97 r2 f-5 r2");
 }
 
-TEST(ExpandCycles, TravelsAtTheRetractHeight) {
+TEST(ExpandCycles, ReturnsToTheRetractHeight) {
   EXPECT_EQ(moves_of_hole(expand_cycles(
                 one_hole({.depth_mm = 5, .clearance_mm = 2, .retract_mm = 20}), none)),
-            "r20 r2 f-5 r20");
+            "r97 r2 f-5 r20");
+}
+
+/// The moves from the hole at CL line 20 on, "r20,0,33": rapid to (20, 0, 33).
+std::string moves_from_line_20(const path::ToolPath& path) {
+  std::string text;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (path.cl_line[i] < 20) continue;
+    text += (text.empty() ? "" : " ") + std::string{path.move[i] == Move::rapid ? "r" : "f"};
+    for (const double component : path.tip_wp_mm[i])
+      text += std::to_string(std::lround(component)) + ",";
+    text.pop_back();
+  }
+  return text;
+}
+
+/// A hole at (0, 0, 0), then one at `second_mm`, CL line 20; both along `axis`.
+path::ToolPath two_holes(const path::CycleStart& cycle, const Vec3& second_mm,
+                         const Vec3& axis = Vec3::UnitZ()) {
+  path::ToolPath path;
+  path.add_event(1, path::FeedRate{500.0});
+  path.add_event(1, cycle);
+  path.add_point(Vec3::Zero(), axis, 10, Move::hole);
+  path.add_point(second_mm, axis, 20, Move::hole);
+  return path;
+}
+
+TEST(ExpandCycles, RisesToAHigherClearanceBeforeItGoesAcross) {
+  const auto path = two_holes({.depth_mm = 10, .clearance_mm = 3}, {20, 0, 30});
+  EXPECT_EQ(moves_from_line_20(expand_cycles(path, none)), "r0,0,33 r20,0,33 f20,0,20 r20,0,33");
+}
+
+TEST(ExpandCycles, GoesAcrossBeforeItComesDownToALowerClearance) {
+  const auto path = two_holes({.depth_mm = 10, .clearance_mm = 3}, {20, 0, -30});
+  EXPECT_EQ(moves_from_line_20(expand_cycles(path, none)), "r20,0,3 r20,0,-27 f20,0,-40 r20,0,-27");
+}
+
+TEST(ExpandCycles, RisesToTheRetractHeightOfAHigherHole) {
+  const auto path = two_holes({.depth_mm = 10, .clearance_mm = 3, .retract_mm = 8.0}, {20, 0, 30});
+  EXPECT_EQ(moves_from_line_20(expand_cycles(path, none)),
+            "r0,0,38 r20,0,38 r20,0,33 f20,0,20 r20,0,38");
+}
+
+TEST(ExpandCycles, RisesAlongATiltedAxis) {
+  const auto path = two_holes({.depth_mm = 10, .clearance_mm = 3}, {30, 20, 0}, Vec3::UnitX());
+  EXPECT_EQ(moves_from_line_20(expand_cycles(path, none)), "r33,0,0 r33,20,0 f20,20,0 r33,20,0");
+}
+
+TEST(ExpandCycles, RisesFromAMoveBelowTheClearance) {
+  auto path = two_holes({.depth_mm = 10, .clearance_mm = 3}, {20, 0, 0});
+  path.move[0] = Move::feed;
+  EXPECT_EQ(moves_from_line_20(expand_cycles(path, none)), "r0,0,3 r20,0,3 f20,0,-10 r20,0,3");
+}
+
+TEST(ExpandCycles, RisesFromANativeHole) {
+  const auto path = two_holes({.depth_mm = 10, .clearance_mm = 3}, {20, 0, 30});
+  EXPECT_EQ(moves_from_line_20(expand_cycles(path, [](std::uint32_t point) { return point == 0; })),
+            "r0,0,33 r20,0,33 f20,0,20 r20,0,33");
+}
+
+/// From there the tool comes down along its axis; where it was before says nothing.
+TEST(ExpandCycles, ComesFromAToolChangeOrHomeStraightToTheHole) {
+  for (const path::EventKind& event :
+       {path::EventKind{path::ToolChange{.number = 2}}, path::EventKind{path::GoHome{}}}) {
+    auto path = two_holes({.depth_mm = 10, .clearance_mm = 3}, {20, 0, 30});
+    path.events.push_back({1, 15, event});
+    EXPECT_EQ(moves_from_line_20(expand_cycles(path, none)), "r20,0,33 f20,0,20 r20,0,33");
+  }
+}
+
+TEST(ExpandCycles, ACallOfTheToolInUseChangesNoWay) {
+  auto path = two_holes({.depth_mm = 10, .clearance_mm = 3}, {20, 0, 30});
+  path.events.push_back({1, 15, path::ToolChange{.number = 1}});
+  EXPECT_EQ(moves_from_line_20(expand_cycles(path, none)), "r0,0,33 r20,0,33 f20,0,20 r20,0,33");
+}
+
+/// Radial holes of a cylinder: the straight way from one to the next leads through it.
+TEST(ExpandCycles, GoesByWayOfHomeToAHoleWithAnotherToolAxis) {
+  auto path = two_holes({.depth_mm = 10, .clearance_mm = 3}, {20, 0, 0});
+  path.axis_wp[1] = Vec3::UnitX();
+  const auto expanded = expand_cycles(path, none);
+  EXPECT_EQ(moves_from_line_20(expanded), "r23,0,0 f10,0,0 r23,0,0");
+  const auto home = std::find_if(
+      expanded.events.begin(), expanded.events.end(),
+      [](const path::Event& event) { return std::holds_alternative<path::GoHome>(event.what); });
+  ASSERT_NE(home, expanded.events.end());
+  EXPECT_EQ(home->before_point, 3U);
+  EXPECT_EQ(expanded.tip_wp_mm[2], Vec3(0, 0, 3));
 }
 
 TEST(ExpandCycles, PecksDeepHolesWithFullRetracts) {
@@ -59,7 +148,7 @@ TEST(ExpandCycles, PecksDeepHolesWithFullRetracts) {
                                                   .clearance_mm = 2,
                                                   .peck_mm = 2}),
                                         none)),
-            "r2 f-2 r2 r-1.5 f-4 r2 r-3.5 f-5 r2");
+            "r97 r2 f-2 r2 r-1.5 f-4 r2 r-3.5 f-5 r2");
 }
 
 TEST(ExpandCycles, BreaksChipsWithSmallRetracts) {
@@ -68,7 +157,7 @@ TEST(ExpandCycles, BreaksChipsWithSmallRetracts) {
                                                   .clearance_mm = 1,
                                                   .peck_mm = 2}),
                                         none)),
-            "r1 f-2 r-1.75 f-4 r1");
+            "r97 r1 f-2 r-1.75 f-4 r1");
 }
 
 /// As the native cycles do: G85 feeds out, G86 stops the spindle and leaves at rapid rate (FANUC
@@ -78,7 +167,7 @@ TEST(ExpandCycles, FeedsOutOfReamedAndBoredHoles) {
     EXPECT_EQ(
         moves_of_hole(expand_cycles(
             one_hole({.kind = kind, .depth_mm = 4, .clearance_mm = 1, .retract_mm = 9}), none)),
-        "r9 r1 f-4 f1 r9");
+        "r97 r1 f-4 f1 r9");
 }
 
 TEST(ExpandCycles, DwellsAtTheBottom) {
@@ -96,7 +185,7 @@ TEST(ExpandCycles, ReversesTheSpindleAtTheBottomOfATap) {
       one_hole(
           {.kind = path::CycleStart::Kind::tap, .depth_mm = 5, .clearance_mm = 2, .pitch_mm = 1.5}),
       none);
-  EXPECT_EQ(moves_of_hole(path), "r2 f-5 f2");
+  EXPECT_EQ(moves_of_hole(path), "r97 r2 f-5 f2");
   const auto spindles = events_of<path::Spindle>(path);
   ASSERT_EQ(spindles.size(), 3U);
   EXPECT_EQ(spindles[1].state, path::Spindle::State::counterclockwise);
@@ -142,8 +231,9 @@ TEST(ExpandCycles, RestoresTheFeedBehindTheHole) {
 TEST(ExpandCycles, FollowsATiltedAxis) {
   const auto path =
       expand_cycles(one_hole({.depth_mm = 5, .clearance_mm = 2}, Vec3::UnitX()), none);
-  EXPECT_EQ(path.tip_wp_mm[1], Vec3(3, 2, 3));
-  EXPECT_EQ(path.tip_wp_mm[2], Vec3(-4, 2, 3));
+  EXPECT_EQ(path.tip_wp_mm[1], Vec3(3, 0, 100));
+  EXPECT_EQ(path.tip_wp_mm[2], Vec3(3, 2, 3));
+  EXPECT_EQ(path.tip_wp_mm[3], Vec3(-4, 2, 3));
 }
 
 TEST(ExpandCycles, LeavesNativeHolesWithTheirEvents) {

@@ -44,7 +44,7 @@ const Fixture fixtures[] = {
     {"crlf-bom-tabs-lower-case.cl", 1, 0, 0, {1, 2, 3}},
     {"number-forms.cl", 3, 0, 0, {150, 2, 3}},
     {"damaged-goto.cl", 1, 1, 0, {1, 2, 3}, Code::damaged_motion},
-    {"damaged-feed.cl", 1, 0, 1, {1, 2, 3}, Code::damaged_statement},
+    {"damaged-feed.cl", 1, 1, 0, {1, 2, 3}, Code::damaged_statement},
     {"zero-axis.cl", 0, 1, 0, {0, 0, 0}, Code::zero_tool_axis},
     {"not-finite.cl", 0, 2, 0, {0, 0, 0}, Code::bad_number},
     {"axis-not-unit.cl", 1, 0, 1, {1, 2, 3}, Code::axis_not_unit},

@@ -102,9 +102,22 @@ TEST(ReadMotion, RefusesAGotoWithADecimalCommaAtItsFirstLine) {
   EXPECT_NE(error.message.find("GOTO / 0.0000000000"), std::string::npos) << error.message;
   EXPECT_NE(error.message.find("expected 3 or 6 numbers, found 7"), std::string::npos)
       << error.message;
-  EXPECT_EQ(diagnostic_of(result, Code::damaged_statement).severity, Severity::warning);
+  // The feed of its line 2 is damaged as well, and what it was is not guessed.
+  EXPECT_EQ(diagnostic_of(result, Code::damaged_statement).severity, Severity::error);
   EXPECT_EQ(diagnostic_of(result, Code::damaged_statement).cl_line, 2U);
-  EXPECT_EQ(result.diagnostics.total(Severity::error), 1U);
+  EXPECT_EQ(result.diagnostics.total(Severity::error), 2U);
+}
+
+TEST(ReadMotion, CountsToTheNumberThatIsNotReadable) {
+  const std::pair<const char*, const char*> cases[] = {{"GOTO/0,0,1.2.3", "number 3 is"},
+                                                       {"GOTO/1O,2,3", "number 1 is"},
+                                                       {"GOTO/1,X,3", "number 2 is"},
+                                                       {"GOTO/1,,3", "number 2 is"},
+                                                       {"GOTO/1,2,3,0,0,1-", "number 6 is"}};
+  for (const auto& [text, place] : cases) {
+    const auto error = diagnostic_of(read(text + std::string{"\n"}), Code::damaged_motion);
+    EXPECT_NE(error.message.find(place), std::string::npos) << error.message;
+  }
 }
 
 TEST(ReadMotion, RefusesDamagedMotions) {

@@ -108,5 +108,13 @@ TEST(ReadCatiaBlade, IsInInchWhereTheRequestSaysSo) {
   EXPECT_NEAR(result.path.axis_wp.back().z(), -0.427506, 1e-6);
 }
 
+TEST(ReadCatiaBlade, WarnsOfAFeedThatWasDividedBy25) {
+  const auto path =
+      std::filesystem::path{PENTAPOST_SOURCE_DIR} / "../shared/data/cl/catia-blade-inch.aptsource";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is absent";
+  // Line 65: FEDRAT/    0.0394,MMPM
+  EXPECT_EQ(diagnostic_of(read(text_of(path)), Code::unit_conflict).cl_line, 65U);
+}
+
 }  // namespace
 }  // namespace pentapost::cl

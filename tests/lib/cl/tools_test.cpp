@@ -31,14 +31,72 @@ TEST(ReadFeed, KeepsFeedsPerRevolution) {
   EXPECT_EQ(feeds[1].unit, path::FeedRate::Unit::mm_per_revolution);
 }
 
-TEST(ReadFeed, LeavesDamagedFeedsOutWithAWarning) {
+/// The diagnostic that refuses `statement`, which is line 2.
+Diagnostic refusal(const std::string& statement) {
+  const auto result = read("UNITS/MM\n" + statement + "\nRAPID\n" + point);
+  EXPECT_EQ(result.diagnostics.total(Severity::error), 1U) << statement;
+  const auto error = diagnostic_of(result, Code::damaged_statement);
+  EXPECT_EQ(error.severity, Severity::error) << statement;
+  EXPECT_EQ(error.cl_line, 2U) << statement;
+  EXPECT_NE(error.message.find(statement), std::string::npos) << error.message;
+  EXPECT_TRUE(events_of<path::FeedRate>(result.path).empty()) << statement;
+  EXPECT_TRUE(events_of<path::Spindle>(result.path).empty()) << statement;
+  EXPECT_TRUE(events_of<path::ToolChange>(result.path).empty()) << statement;
+  return error;
+}
+
+// The moves behind a damaged feed would run with the one before it.
+TEST(ReadFeed, RefusesDamagedFeeds) {
   for (const char* text :
-       {"FEDRAT / 5.000000. MMPM", "FEDRAT/0", "FEDRAT/-5", "FEDRAT/MMPM", "FEDRAT/1E99"}) {
+       {"FEDRAT / 5.000000. MMPM", "FEDRAT/0", "FEDRAT/-5", "FEDRAT/MMPM", "FEDRAT/1E99", "FEDRAT/",
+        "FEDRAT/2O.0", "FEDRAT/1,000.0", "FEDRAT/25OMMPM", "FEDRAT/'250'", "FEDRAT/250,MMPN",
+        "FEDRAT/250,MMPM,IPM", "FEDRAT/RAPID,5000", "FEDRAT/250,RANGE", "FEDRAT/250,ON",
+        "FEDRAT/INVERS,20", "FEDRAT/SCALE,0.5", "FEDRAT/MAXIPM"})
+    refusal(text);
+}
+
+TEST(ReadFeed, SaysWhatWasExpectedAndWhatItFound) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"FEDRAT/2O.0", "found \"O.0\""},
+      {"FEDRAT/1,000.0", "found a second number, \"000.0\""},
+      {"FEDRAT/-5", "found -5"},
+      {"FEDRAT/5.0.", "found \"5.0.\""},
+      {"FEDRAT/250,RANGE", "found \"RANGE\" without its value"}};
+  for (const auto& [text, found] : cases) {
+    const std::string message = refusal(text).message;
+    EXPECT_NE(message.find("expected a feed above 0 and its unit"), std::string::npos) << message;
+    EXPECT_NE(message.find(found), std::string::npos) << message;
+  }
+}
+
+TEST(ReadFeed, KnowsOptionsOfOtherPostprocessors) {
+  for (const char* text : {"FEDRAT/250,MMPM,RANGE,LOW", "FEDRAT/RANGE,2,250", "FEDRAT/250,MMPM,",
+                           "FEDRAT/250,MMPM,RAPTO,0.3", "FEDRAT/(250),PERMIN,MAXIPM,900"}) {
+    const auto result = read("UNITS/MM\n" + std::string{text} + "\n" + point);
+    EXPECT_EQ(result.diagnostics.total(), 0U) << text;
+    EXPECT_EQ(events_of<path::FeedRate>(result.path).at(0).value, 250.0) << text;
+  }
+}
+
+// MAXIPM,500 was taken for a feed of 500.
+TEST(ReadFeed, DoesNotTakeSettingsForFeeds) {
+  for (const char* text : {"FEDRAT/MAXIPM,500", "FEDRAT/LOCK,ON", "FEDRAT/ADJUST,OFF"}) {
     const auto result = read("UNITS/MM\n" + std::string{text} + "\nRAPID\n" + point);
-    EXPECT_EQ(diagnostic_of(result, Code::damaged_statement).cl_line, 2U) << text;
-    EXPECT_FALSE(result.diagnostics.has_errors());
+    EXPECT_TRUE(has(result, Code::ignored_statement)) << text;
+    EXPECT_FALSE(result.diagnostics.has_errors()) << text;
     EXPECT_TRUE(events_of<path::FeedRate>(result.path).empty()) << text;
   }
+}
+
+TEST(ReadFeed, WarnsOnceOfFeedsBelowOneMillimetreAMinute) {
+  const auto result = read("UNITS/MM\nFEDRAT/1,MMPM\nFEDRAT/0.1,MMPR\nFEDRAT/0.0394,MMPM\n" +
+                           point + "FEDRAT/0.5,MMPM\n" + point);
+  EXPECT_EQ(result.diagnostics.total(), 1U);
+  const auto warning = diagnostic_of(result, Code::unit_conflict);
+  EXPECT_EQ(warning.severity, Severity::warning);
+  EXPECT_EQ(warning.cl_line, 4U);
+  EXPECT_NE(warning.message.find("0.0394 mm/min"), std::string::npos) << warning.message;
+  EXPECT_EQ(events_of<path::FeedRate>(result.path).size(), 4U);
 }
 
 TEST(ReadSpindle, TakesWordsAndNumbersInAnyOrder) {
@@ -53,6 +111,43 @@ TEST(ReadSpindle, TakesWordsAndNumbersInAnyOrder) {
     ASSERT_EQ(spindles.size(), 1U) << text;
     EXPECT_EQ(spindles[0].state, state) << text;
     EXPECT_EQ(spindles[0].speed_rpm, 3000.0) << text;
+  }
+}
+
+TEST(ReadSpindle, KnowsGearsLimitsAndRadii) {
+  for (const char* text :
+       {"SPINDL/3000,CLW,RANGE,LOW", "SPINDL/RPM,3000,CLW,HIGH", "SPINDL/3000,CLW,MAXRPM,8000",
+        "SPINDL/MAXRPM,8000,RPM,3000,CLW", "SPINDL/3000,AUTO", "SPINDL/3000,RADIUS,12.5,CLW"}) {
+    const auto result = read("UNITS/MM\n" + std::string{text} + "\nRAPID\n" + point);
+    EXPECT_EQ(result.diagnostics.total(), 0U) << text;
+    EXPECT_EQ(events_of<path::Spindle>(result.path).at(0).speed_rpm, 3000.0) << text;
+  }
+}
+
+TEST(ReadSpindle, RefusesDamagedSpeeds) {
+  for (const char* text :
+       {"SPINDL/1O00", "SPINDL/3,000", "SPINDL/3,000,CLW", "SPINDL/30.0.0,CLW", "SPINDL/-300,CLW",
+        "SPINDL/1000001,CLW", "SPINDL/RPM,CLW", "SPINDL/RPM", "SPINDL/", "SPINDL/3000,CLV",
+        "SPINDL/3000,CLW,CCLW", "SPINDL/3000,CLW,MAXRPM", "SPINDL/3000,RANGE,CLW", "SPINDL/OF"})
+    refusal(text);
+}
+
+TEST(ReadSpindle, SaysWhichSpeedsItTakes) {
+  const std::string message = refusal("SPINDL/2000000,CLW").message;
+  EXPECT_NE(message.find("a speed above 0 up to 1e6 rpm"), std::string::npos) << message;
+  EXPECT_NE(message.find("found 2000000."), std::string::npos) << message;
+  const auto highest = read("UNITS/MM\nSPINDL/1000000,CLW\nRAPID\n" + point);
+  EXPECT_EQ(highest.diagnostics.total(), 0U);
+}
+
+// A limit or a gear alone had started the spindle, and LOCK,OFF had stopped it.
+TEST(ReadSpindle, IsNotMovedBySettings) {
+  for (const char* text : {"SPINDL/MAXRPM,3000", "SPINDL/RANGE,2", "SPINDL/HIGH", "SPINDL/LOCK,ON",
+                           "SPINDL/LOCK,OFF"}) {
+    const auto result = read("UNITS/MM\n" + std::string{text} + "\nRAPID\n" + point);
+    EXPECT_TRUE(has(result, Code::ignored_statement)) << text;
+    EXPECT_FALSE(result.diagnostics.has_errors()) << text;
+    EXPECT_TRUE(events_of<path::Spindle>(result.path).empty()) << text;
   }
 }
 
@@ -97,6 +192,8 @@ TEST(ReadTool, TakesTheLengthRegister) {
   EXPECT_EQ(change(read("LOAD/TOOL,1,ADJUST,7\n" + point)), 7);
   EXPECT_EQ(change(read("LOADTL/1,OSETNO,8\n" + point)), 8);
   EXPECT_EQ(change(read_as("fusion-apt", "LOADTL/1, 0, 82.5, 9\n" + point)), 9);
+  EXPECT_EQ(change(read_as("fusion-apt", "LOADTL/'A', 1, 0, 82.5, 9, MILL\n" + point)), 9);
+  EXPECT_EQ(change(read("LOADTL/1, 0, 82.5, 9\n" + point)), std::nullopt);
   EXPECT_EQ(change(read("LOADTL/1\n" + point)), std::nullopt);
 }
 
@@ -105,9 +202,59 @@ TEST(ReadTool, DoesNotChangeItAtSelectOrToolno) {
       events_of<path::ToolChange>(read("SELECT/TOOL,3\nTOOLNO/3,1\n" + point).path).empty());
 }
 
-TEST(ReadTool, RefusesANumberThatIsNotWhole) {
-  EXPECT_TRUE(read("LOADTL/1.5\n" + point).diagnostics.has_errors());
-  EXPECT_TRUE(read("LOAD/TOOL\n" + point).diagnostics.has_errors());
+TEST(ReadTool, RefusesWhatNamesNoTool) {
+  for (const char* text : {"LOADTL/1.5",      "LOAD/TOOL",         "LOADTL/'MILL D10'",
+                           "LOADTL/0",        "LOADTL/-3",         "LOADTL/",
+                           "LOADTL/MILL",     "LOADTL/O5",         "LOADTL/1O",
+                           "LOADTL/1.2.3",    "LOADTL/ADJUST,4",   "LOADTL/32768",
+                           "LOADTL/12345678", "LOADTL/123456789",  "LOADTL/3,1.2.3",
+                           "TURRET/0",        "TURRET/CENTER",     "TURRET/FACE,3",
+                           "TOOL/0",          "LOAD/TOOL,0",       "LOAD/TOOL,-1",
+                           "LOAD/TOOL,O5",    "LOAD/TOOL,ADJUST,4"}) {
+    const std::string message = refusal(text).message;
+    EXPECT_NE(message.find("expected a whole tool number from 1 to 32767"), std::string::npos)
+        << message;
+  }
+}
+
+// With a name at hand, 0 was put in for a number that could not be read.
+TEST(ReadTool, DoesNotPutANameInPlaceOfTheNumber) {
+  for (const char* text : {"LOADTL/O5", "LOADTL/MILL", "LOADTL/1O"}) {
+    const auto result = read("TPRINT/MILL D10\n" + std::string{text} + "\nRAPID\n" + point);
+    EXPECT_EQ(diagnostic_of(result, Code::damaged_statement).cl_line, 2U) << text;
+    EXPECT_TRUE(result.diagnostics.has_errors()) << text;
+    EXPECT_TRUE(events_of<path::ToolChange>(result.path).empty()) << text;
+  }
+}
+
+TEST(ReadTool, TakesTheLargestNumberAndNamesBesideTheNumber) {
+  for (const char* text :
+       {"LOADTL/32767", "LOADTL/'MILL D10',32767", "LOADTL/TOOL,32767",
+        "LOADTL/32767,ADJUST,1,SPINDL,15915.4943,MILL", "LOADTL/32767,10MM_MILL"})
+    EXPECT_EQ(events_of<path::ToolChange>(read(std::string{text} + "\n" + point).path).at(0).number,
+              32767)
+        << text;
+}
+
+TEST(ReadTool, RefusesADamagedLengthRegister) {
+  for (const char* text : {"LOADTL/3,ADJUST,1O", "LOADTL/3,ADJUST,O5", "LOAD/TOOL,3,ADJUST",
+                           "LOAD/TOOL,3,OSETNO,1.5", "LOADTL/3,ADJUST,-1"})
+    EXPECT_NE(refusal(text).message.find("expected a whole length register"), std::string::npos)
+        << text;
+}
+
+TEST(ReadTool, DoesNotGoOnWithADamagedSelection) {
+  for (const char* text : {"SELECT/TOOL,1O", "SELECT/TOOL,0", "SELECT/TOOL,SEVEN"}) {
+    const auto result = read(std::string{text} + "\nLOAD/TOOL\nRAPID\n" + point);
+    EXPECT_EQ(diagnostic_of(result, Code::damaged_statement).cl_line, 2U) << text;
+  }
+}
+
+TEST(ReadTool, LoadsTheSelectedToolWithItsRegister) {
+  const auto change =
+      events_of<path::ToolChange>(read("SELECT/TOOL,7\nLOAD/TOOL,ADJUST,17\n" + point).path);
+  EXPECT_EQ(change.at(0).number, 7);
+  EXPECT_EQ(change.at(0).length_register, 17);
 }
 
 TEST(ReadTool, TakesTheNameFromTheToolPath) {

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
+#include <optional>
 #include <random>
 #include <string>
+#include <utility>
 
 namespace pentapost::cl {
 namespace {
@@ -102,6 +105,63 @@ TEST(Words, KeepQuotedTextWhole) {
   words.read("'END MILL, 10',3");
   ASSERT_EQ(words.size(), 2U);
   EXPECT_EQ(words[0].text, "END MILL, 10");
+}
+
+TEST(Words, KnowWhatIsGluedToANumber) {
+  Words words;
+  words.read("1O 1,O");
+  ASSERT_EQ(words.size(), 4U);
+  EXPECT_TRUE(words[1].is_glued_to(words[0]));
+  EXPECT_FALSE(words[3].is_glued_to(words[2]));
+}
+
+TEST(MatchForm, TakesTheNumberThatNoWordTakes) {
+  constexpr std::array known{MinorWord{"RPM"}, MinorWord{"RANGE", Takes::number_or_gear},
+                             MinorWord{"MAXRPM", Takes::number},
+                             MinorWord{"ORIENT", Takes::number_if_there}};
+  const std::pair<const char*, std::optional<double>> cases[] = {{"RPM,5", 5.0},
+                                                                 {"RANGE,LOW,5", 5.0},
+                                                                 {"range,2,5", 5.0},
+                                                                 {"MAXRPM,9,5,ORIENT", 5.0},
+                                                                 {"ORIENT,9", {}},
+                                                                 {"5,ORIENT,9", 5.0},
+                                                                 {"", {}}};
+  for (const auto& [text, number] : cases) {
+    Words words;
+    words.read(text);
+    const FormMatch match = match_form(words, known);
+    EXPECT_EQ(match.fault, "") << text;
+    EXPECT_EQ(match.number, number) << text;
+  }
+}
+
+TEST(MatchForm, NamesWhatDoesNotBelong) {
+  constexpr std::array known{MinorWord{"MAXRPM", Takes::number},
+                             MinorWord{"LOCK", Takes::on_or_off}};
+  const std::pair<const char*, const char*> cases[] = {
+      {"5,6", "a second number, \"6\""},
+      {"5O", "\"O\""},
+      {"5,MAXRPM", "\"MAXRPM\" without its value"},
+      {"MAXRPM,LOCK,5", "\"MAXRPM\" without its value"},
+      {"LOCK,5", "\"LOCK\" without its value"},
+      {"5.5.5", "\"5.5.5\""},
+      {"'5'", "\"5\""}};
+  for (const auto& [text, fault] : cases) {
+    Words words;
+    words.read(text);
+    const FormMatch match = match_form(words, known);
+    EXPECT_EQ(match.fault, fault) << text;
+    EXPECT_EQ(match.number, std::nullopt) << text;
+  }
+}
+
+TEST(MatchForm, RefusesWhatWasCutOff) {
+  constexpr std::array known{MinorWord{"ON"}};
+  std::string text;
+  for (std::size_t i = 0; i <= Words::max_words; ++i) text += "ON,";
+  Words words;
+  words.read(text);
+  EXPECT_EQ(match_form(words, known).fault, "too many words");
 }
 
 TEST(ReadMajor, ReadsAnyCaseAndBlanksBeforeTheSlash) {

@@ -108,6 +108,69 @@ TEST(Safety, AnotherLengthRegisterOfTheSameToolIsCalled) {
   EXPECT_NE(posted->nc.find("H25"), std::string::npos);
 }
 
+/// Two holes of one cycle, the second on a boss 30 mm high.
+std::string boss_cl() {
+  return "UNITS/MM\nLOADTL/1\nSPINDL/3000,CLW\nFEDRAT/500,MMPM\nRAPID\nGOTO/0,0,50,0,0,1\n"
+         "CYCLE/DRILL,DEPTH,10,CLEAR,3\nGOTO/0,0,0\nGOTO/20,0,30\nCYCLE/OFF\nFINI\n";
+}
+
+TEST(Safety, TheToolRisesInFrontOfABossBeforeTheNextCycle) {
+  jobs::PostJob job = sample::cl_job("haas-umc-750", boss_cl());
+  job.post.output = Output::axes;
+  const auto posted = jobs::post(job);
+  ASSERT_TRUE(posted) << posted.error().message;
+
+  EXPECT_NE(posted->nc.find("G99 G81 X0. Y0. Z-10. R3."), std::string::npos) << posted->nc;
+  EXPECT_NE(posted->nc.find("G80\nG0 Z33.\nG99 G81 X20. Y0. Z20. B0. C0. R33."), std::string::npos)
+      << posted->nc;
+}
+
+/// Holes along Z and along Y: on the straight way between them the tool would go through the
+/// corner.
+TEST(Safety, HolesInSingleMovesTurnTheToolAtTheSafeEnd) {
+  const auto posted = jobs::post(sample::cl_job(
+      "hermle-c600u",
+      "UNITS/MM\nLOADTL/1\nSPINDL/3000,CLW\nFEDRAT/500,MMPM\nRAPID\nGOTO/0,0,50,0,0,1\n"
+      "CYCLE/DRILL,DEPTH,10,CLEAR,3\nGOTO/0,0,20,0,0,1\nGOTO/0,20,0,0,1,0\nCYCLE/OFF\nFINI\n"));
+  ASSERT_TRUE(posted) << posted.error().message;
+
+  const std::string& nc = posted->nc;
+  const auto hole = nc.find("Z+10 "), turn = nc.find("A+90");
+  ASSERT_NE(hole, std::string::npos) << nc;
+  ASSERT_NE(turn, std::string::npos) << nc;
+  EXPECT_LT(nc.find("M140 MB MAX", hole), turn) << nc;
+  EXPECT_LT(nc.find("Y+123 ", turn), nc.find("Y+23 ", turn)) << nc;
+}
+
+/// 480 rpm and a pitch of 1.25 mm.
+TEST(Safety, TapsAreRigidAndFedByTheirPitch) {
+  jobs::PostJob job = sample::cl_job(
+      "mazak-variaxis-630",
+      "UNITS/MM\nLOADTL/1\nSPINDL/RPM,480,CLW\nFEDRAT/500,MMPM\nRAPID\nGOTO/0,0,50,0,0,1\n"
+      "CYCLE/TAP,DEPTH,10,CLEAR,3,PITCH,1.25\nGOTO/0,0,0\nGOTO/20,0,0\nCYCLE/OFF\nFINI\n");
+  job.post.output = Output::axes;
+  const auto posted = jobs::post(job);
+  ASSERT_TRUE(posted) << posted.error().message;
+
+  EXPECT_NE(posted->nc.find("M29 S480\nG99 G84 X0. Y0. Z-10. R3. F600.\nX20. Y0.\nG80"),
+            std::string::npos)
+      << posted->nc;
+}
+
+TEST(Safety, TheToolRisesInFrontOfABossInSingleMoves) {
+  const auto posted = jobs::post(sample::cl_job("hermle-c600u", boss_cl()));
+  ASSERT_TRUE(posted) << posted.error().message;
+
+  const auto blocks = full_blocks(posted->nc);
+  const auto at = [&](double x, double z) {
+    return std::find_if(blocks.begin(), blocks.end(), [=](const std::array<double, 5>& block) {
+      return block[0] == x && block[2] == z;
+    });
+  };
+  ASSERT_NE(at(0, 33), blocks.end()) << posted->nc;
+  EXPECT_EQ(at(20, 33), at(0, 33) + 1) << posted->nc;
+}
+
 TEST(Safety, CuttingWithTheSpindleOffIsSaid) {
   const std::string cut = "RAPID\nGOTO/0,0,50\nGOTO/0,0,0\nFINI\n";
   const auto still =

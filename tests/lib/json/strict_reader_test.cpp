@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(StrictReader, BadReadTest,
                          ::testing::Values(
                              BadRead{"MissingKey", R"({"o": {}})",
                                      [](const Object& o) { o.object("o").number("n"); },
-                                     Code::missing_key, "/o"},
+                                     Code::missing_key, "/o/n"},
                              BadRead{"NullIsNoNumber", R"({"n": null})",
                                      [](const Object& o) { o.number("n"); }, Code::wrong_type,
                                      "/n"},

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <optional>
 
 namespace {
 
@@ -37,6 +38,38 @@ TEST(Fanuc30iReaderCycles, G99ReturnsToTheClearanceLevelAndG98StillKnowsTheIniti
 
 TEST(Fanuc30iReaderCycles, TheNextMoveAfterG99StartsAtTheClearanceLevel) {
   EXPECT_EQ(last_motion("G99 G81 X10. Z-5. R2.\nG80\nG0 X0.").position[2], 2.0);
+}
+
+/// FANUC Series 30i operator's manual, canned cycles for drilling: operation 1 positions X and Y,
+/// operation 2 is the rapid traverse to point R.
+TEST(Fanuc30iReaderCycles, MovesAcrossAtTheLevelWhereTheToolIs) {
+  const auto motions = motions_of(
+      "G99 G81 X0. Y0. Z-10. R3.\nG99 G81 X20. Z20. R33.\nG98 X30.\nX40.\nG80\nG0 Z50.\nG81 X1. "
+      "Z-1. R2.");
+  ASSERT_EQ(motions.size(), 6u);
+  EXPECT_EQ(motions[0].travel_z_mm, 100.0);
+  EXPECT_EQ(motions[1].travel_z_mm, 3.0);
+  EXPECT_EQ(motions[2].travel_z_mm, 33.0);
+  EXPECT_EQ(motions[3].travel_z_mm, 100.0);
+  EXPECT_EQ(motions[5].travel_z_mm, 50.0);
+}
+
+TEST(Fanuc30iReaderCycles, DoesNotKnowTheLevelBehindAReferenceReturn) {
+  EXPECT_EQ(last_motion("G91 G28 Z0.\nG90 G99 G81 X1. Z-1. R2.").travel_z_mm, std::nullopt);
+}
+
+/// M29 S... before G84 makes the tapping rigid (operator's manual, rigid tapping).
+TEST(Fanuc30iReaderCycles, M29StatesNothingButASpeed) {
+  const auto read = sample::read_after_start("S900 M3\nM29 S477\nG84 X1. Z-9. R2. F381.6");
+  EXPECT_EQ(read.message(), "");
+  const auto motions = read.motions();
+  ASSERT_EQ(motions.size(), 3u);
+  EXPECT_EQ(motions[2].hole, nc::ReadMotion::Hole::tap);
+  EXPECT_EQ(motions[2].position, (std::array{1.0, 0.0, -9.0, 0.0, 0.0}));
+  const auto spindles = read.all<nc::ReadSpindle>();
+  ASSERT_EQ(spindles.size(), 2u);
+  EXPECT_EQ(spindles[1].state, nc::ReadSpindle::State::clockwise);
+  EXPECT_EQ(spindles[1].speed_rpm, 477.0);
 }
 
 TEST(Fanuc30iReaderCycles, CycleLevelsInG91CountFromTheInitialAndTheClearanceLevel) {

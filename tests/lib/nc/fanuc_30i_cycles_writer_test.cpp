@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace pentapost {
 namespace {
@@ -21,7 +22,8 @@ std::string one_hole(const path::NativeCycle& what) {
   const auto motion =
       MotionCase{"XYZ"}.act(what).hole({1, 2, -10.5}).act(path::NativeCycleEnd{}).motion;
   const std::string nc = body(motion);
-  return nc.substr(0, nc.find('\n'));
+  const auto at = nc.find("G9");
+  return nc.substr(at, nc.find('\n', at) - at);
 }
 
 TEST(Fanuc30iWriter, WritesEachCycleByItsWord) {
@@ -105,8 +107,44 @@ TEST(Fanuc30iWriter, StartsTheNextCycleAfresh) {
   EXPECT_EQ(body(motion),
             "G99 G81 X1. Y2. Z-10.5 R2. F120.\n"
             "G80\n"
+            "M29\n"
             "G99 G84 X1. Y2. Z-10.5 R2. F120.\n"
             "G80\n");
+}
+
+/// Two holes of a tap at 477 rpm, then one more level.
+path::Motion taps() {
+  auto deeper = cycle(CycleKind::tap_left);
+  deeper.bottom_z = -12000;
+  return MotionCase{"XYZ"}
+      .act(path::Spindle{path::Spindle::State::clockwise, 476.7})
+      .act(cycle(CycleKind::tap))
+      .hole({1, 2, -10.5})
+      .hole({5, 2, -10.5})
+      .act(deeper)
+      .hole({9, 2, -12})
+      .motion;
+}
+
+/// Without M29 parameter 5200 decides whether G84 couples feed and spindle (FANUC Series 30i
+/// operator's manual, rigid tapping).
+TEST(Fanuc30iWriter, MakesEachTappingCycleRigidOnce) {
+  EXPECT_EQ(body(taps()),
+            "S477 M3\n"
+            "M29 S477\n"
+            "G99 G84 X1. Y2. Z-10.5 R2. F120.\n"
+            "X5. Y2.\n"
+            "G80\n"
+            "M29 S477\n"
+            "G99 G74 X9. Y2. Z-12. R2. F120.\n");
+}
+
+TEST(Fanuc30iWriter, TakesTheBlocksOfRigidTappingFromItsOption) {
+  const std::string none = body(taps(), {{"rigid_tapping", std::vector<std::string>{}}});
+  EXPECT_EQ(none.find("M29"), std::string::npos);
+  const std::string own =
+      body(taps(), {{"rigid_tapping", std::vector<std::string>{"M135 {speed}", "M1"}}});
+  EXPECT_NE(own.find("M3\nM135 S477\nM1\nG99 G84"), std::string::npos);
 }
 
 TEST(Fanuc30iWriter, WritesNoCycleThatDrillsNothing) {

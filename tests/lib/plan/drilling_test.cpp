@@ -77,6 +77,15 @@ TEST(Drilling, WithoutAnyFeedIsRefusedAtItsLine) {
   EXPECT_EQ(program.error().cl_line, 3U);
 }
 
+TEST(Drilling, ATapIsFedByItsPitch) {
+  ProgramCase job = holes();
+  job.event(path::Spindle{path::Spindle::State::clockwise, 480.0});
+  job.event(
+      path::CycleStart{.kind = Kind::tap, .depth_mm = 12.0, .clearance_mm = 2.0, .pitch_mm = 1.25});
+  hole(job, {20, 30, 5});
+  EXPECT_EQ(from_the_first_cycle(job).front(), "cycle R7000 Z-7000 Q0 P0 F600");
+}
+
 /// Holes on one level share a cycle, one on another level needs its own.
 TEST(Drilling, TheCycleStaysOnUntilSomethingOfItChanges) {
   ProgramCase job = holes();
@@ -86,8 +95,60 @@ TEST(Drilling, TheCycleStaysOnUntilSomethingOfItChanges) {
   hole(job, {60, 30, 6});
   EXPECT_EQ(from_the_first_cycle(job),
             (Lines{"cycle R7000 Z-7000 Q0 P0 F80", "drill X20 Y30 Z-7 A0 C0 F80",
-                   "drill X40 Y30 Z-7 A0 C0 F80", "cycle R8000 Z-6000 Q0 P0 F80",
-                   "drill X60 Y30 Z-6 A0 C0 F80", "cycle end", "safe retract", "end"}));
+                   "drill X40 Y30 Z-7 A0 C0 F80", "cycle end", "rapid Z8 off path",
+                   "cycle R8000 Z-6000 Q0 P0 F80", "drill X60 Y30 Z-6 A0 C0 F80", "cycle end",
+                   "safe retract", "end"}));
+}
+
+/// In a cycle the control moves across at the level where the tool is: from R3 to a hole on a boss
+/// 30 mm higher it would go through the boss.
+TEST(Drilling, TheToolRisesToAHigherClearanceBeforeItMovesAcross) {
+  ProgramCase job = holes();
+  job.event(path::CycleStart{.depth_mm = 10.0, .clearance_mm = 3.0, .feed_mm_min = 80.0});
+  hole(job, {0, 0, 0});
+  hole(job, {20, 0, 30});
+  EXPECT_EQ(from_the_first_cycle(job),
+            (Lines{"cycle R3000 Z-10000 Q0 P0 F80", "drill X0 Y0 Z-10 A0 C0 F80", "cycle end",
+                   "rapid Z33 off path", "cycle R33000 Z20000 Q0 P0 F80",
+                   "drill X20 Y0 Z20 A0 C0 F80", "cycle end", "safe retract", "end"}));
+}
+
+TEST(Drilling, TheControlItselfComesDownToALowerClearance) {
+  ProgramCase job = holes();
+  job.rapid({0, 0, 60});
+  job.event(path::CycleStart{.depth_mm = 10.0, .clearance_mm = 3.0, .feed_mm_min = 80.0});
+  hole(job, {20, 0, 30});
+  hole(job, {0, 0, 0});
+  EXPECT_EQ(from_the_first_cycle(job),
+            (Lines{"cycle R33000 Z20000 Q0 P0 F80", "drill X20 Y0 Z20 A0 C0 F80",
+                   "cycle R3000 Z-10000 Q0 P0 F80", "drill X0 Y0 Z-10 A0 C0 F80", "cycle end",
+                   "safe retract", "end"}));
+}
+
+TEST(Drilling, TheToolRisesIntoACycleThatStartsAboveTheLastMove) {
+  ProgramCase job = holes();
+  job.point({5, 0, 2});
+  job.event(path::CycleStart{.depth_mm = 10.0, .clearance_mm = 3.0, .feed_mm_min = 80.0});
+  hole(job, {20, 0, 0});
+  const Lines lines = planned_outline(job);
+  const auto rise = std::find(lines.begin(), lines.end(), "rapid Z3 off path");
+  ASSERT_NE(rise, lines.end());
+  EXPECT_EQ(*(rise - 1), "line X5 Y0 Z2 A0 C0 F500");
+  EXPECT_EQ(*(rise + 1), "cycle R3000 Z-10000 Q0 P0 F80");
+}
+
+/// Z = 0.6 y + 0.8 z of the work: 37 at the first clearance, 10 mm along the axis higher at the
+/// second, whose hole lies at (10, 26, 38).
+TEST(Drilling, OnATurnedTableTheToolRisesAlongTheDrillingAxis) {
+  ProgramCase job = holes();
+  job.event(path::CycleStart{.depth_mm = 10.0, .clearance_mm = 1.0, .feed_mm_min = 80.0});
+  hole(job, {10, 20, 30}, tilted);
+  hole(job, {40, 26, 38}, tilted);
+  const Lines lines = from_the_first_cycle(job);
+  ASSERT_GE(lines.size(), 6U);
+  EXPECT_EQ(Lines(lines.begin() + 2, lines.begin() + 6),
+            (Lines{"cycle end", "rapid Z47 off path", "cycle R47000 Z36000 Q0 P0 F80",
+                   "drill X40 Y-2 Z36 A36.87 C0 F80"}));
 }
 
 TEST(Drilling, AnyOtherMoveEndsTheCycleFirst) {
@@ -101,6 +162,22 @@ TEST(Drilling, AnyOtherMoveEndsTheCycleFirst) {
             (Lines{"cycle R7000 Z-7000 Q0 P0 F80", "drill X20 Y30 Z-7 A0 C0 F80", "cycle end",
                    "rapid X50 Y50 Z10 A0 C0", "cycle R7000 Z-7000 Q0 P0 F80",
                    "drill X40 Y30 Z-7 A0 C0 F80", "cycle end", "safe retract", "end"}));
+}
+
+/// In a cycle the X of a dwell or of an inserted text would be another hole.
+TEST(Drilling, ADwellOrAnInsertedTextEndsTheCycleFirst) {
+  ProgramCase job = holes();
+  job.event(path::CycleStart{.depth_mm = 12.0, .clearance_mm = 2.0, .feed_mm_min = 80.0});
+  hole(job, {20, 30, 5});
+  job.event(path::Dwell{2.0});
+  hole(job, {40, 30, 5});
+  job.event(path::InsertedText{"M77"});
+  hole(job, {60, 30, 5});
+  EXPECT_EQ(from_the_first_cycle(job),
+            (Lines{"cycle R7000 Z-7000 Q0 P0 F80", "drill X20 Y30 Z-7 A0 C0 F80", "cycle end",
+                   "dwell 2", "cycle R7000 Z-7000 Q0 P0 F80", "drill X40 Y30 Z-7 A0 C0 F80",
+                   "cycle end", "M77", "cycle R7000 Z-7000 Q0 P0 F80",
+                   "drill X60 Y30 Z-7 A0 C0 F80", "cycle end", "safe retract", "end"}));
 }
 
 /// CYCLE/OFF ends it where it stands, not at the next move.

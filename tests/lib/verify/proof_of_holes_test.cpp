@@ -54,6 +54,69 @@ TEST(ProofOfHoles, FailsOnEveryWrongNumber) {
   }
 }
 
+/// A hole at Z0, clearance 3, then one on a boss 30 mm higher, joint values at A0 C0.
+sample::Program with_a_boss() {
+  sample::Program program{sample::trunnion_ac(), "XYZAC"};
+  program.output = Output::axes;
+  program.cl.add_event(1, path::FeedRate{200.0});
+  program.point({0, 0, 50}, Vec3::UnitZ(), Move::rapid);
+  program.cl.add_event(2, path::CycleStart{.depth_mm = 10, .clearance_mm = 3});
+  program.point({0, 0, 0}, Vec3::UnitZ(), Move::hole);
+  program.point({20, 0, 30}, Vec3::UnitZ(), Move::hole);
+  program.point({40, 0, 0}, Vec3::UnitZ(), Move::hole);
+  program.line("LEN1");
+  program.block("G0 X0 Y0 Z50 A0 C0", 0);
+  program.block("DRILL X0 Y0 Z-10 R3 W3 F200", 1);
+  program.off("G0 Z33", 2);
+  program.block("DRILL X20 Y0 Z20 R33 W33 F200", 2);
+  program.block("DRILL X40 Y0 Z-10 R3 W3 F200", 3);
+  program.line("END");
+  return program;
+}
+
+TEST(ProofOfHoles, PassesAToolThatRisesBeforeItMovesAcross) {
+  EXPECT_EQ(with_a_boss().failure(), "");
+}
+
+/// The control moves across at Z3, through the boss, and rises to R33 only then.
+TEST(ProofOfHoles, FailsWhereTheWayAcrossIsBelowTheNextClearance) {
+  sample::Program program = with_a_boss();
+  program.lines.erase(program.lines.begin() + 3);
+  program.motion.blocks.erase(program.motion.blocks.begin() + 2);
+  EXPECT_FAILURE(program, "the way to the hole runs 30 mm below the level of its clearance");
+}
+
+TEST(ProofOfHoles, FailsWhereTheToolRisesTooLittle) {
+  sample::Program program = with_a_boss();
+  program.change("G0 Z33", "G0 Z32.9");
+  EXPECT_FAILURE(program, "the way to the hole runs 0.1 mm below the level of its clearance");
+}
+
+TEST(ProofOfHoles, FailsWhereTheToolRisesAcross) {
+  sample::Program program = with_a_boss();
+  program.change("G0 Z33", "G0 X20 Z33");
+  EXPECT_FAILURE(program, "before this hole the tool leaves the tool axis by 20 mm");
+}
+
+/// Between the holes lies the boss: the tool must not come down before it moves across.
+TEST(ProofOfHoles, FailsWhereTheToolComesDownBeforeItMovesAcross) {
+  sample::Program program = with_a_boss();
+  program.lines.insert(program.lines.begin() + 5, "G0 Z3");
+  path::Block down;
+  down.point = 3;
+  down.kind = path::Block::Kind::rapid;
+  down.on_path = false;
+  program.motion.blocks.insert(program.motion.blocks.begin() + 4, down);
+  EXPECT_FAILURE(program, "before this hole the tool");
+}
+
+/// A control whose own cycle goes across lower than the point before.
+TEST(ProofOfHoles, FailsWhereTheWayAcrossIsBelowThePointBefore) {
+  sample::Program program = with_a_boss();
+  program.change("DRILL X40 Y0 Z-10 R3 W3 F200", "DRILL X40 Y0 Z-10 R3 W3 F200 V3");
+  EXPECT_FAILURE(program, "the way to the hole runs 30 mm below the level of the point before");
+}
+
 TEST(ProofOfHoles, FailsWhileTcpIsOn) {
   sample::Program program = with_holes();
   program.change("LEN1", "TCP1");

@@ -20,7 +20,8 @@
 ///   G93 X1 ... F12                line, inverse time
 ///   G2 X Y Z I J F, G3 ...        arc; I J: centre, absolute; N: whole turns
 ///   DRILL X Y Z R W Q P K F       hole: bottom Z, clearance R, retract W, peck Q, dwell P, kind K
-///                                 (number of ReadMotion::Hole)
+///                                 (number of ReadMotion::Hole), reached at level V, or where the
+///                                 tool is
 namespace pentapost::sample {
 
 /// Where the words of the small language are kept between its lines.
@@ -91,6 +92,7 @@ class SmallReader {
                        : code == "G93" ? Feed::inverse_time
                                        : Feed::per_minute;
     motion.position = position_;
+    if ((known_ & 0b100) != 0) motion.travel_z_mm = position_[2];
     std::string word;
     while (words >> word) set_word(motion, word[0], std::strtod(word.c_str() + 1, nullptr));
     motion.feed = feed_;
@@ -111,6 +113,7 @@ class SmallReader {
     if (letter == 'I') motion.centre_x_mm = number;
     if (letter == 'J') motion.centre_y_mm = number;
     if (letter == 'N') motion.whole_turns = static_cast<int>(number);
+    if (letter == 'V') motion.travel_z_mm = number;
     if (letter == 'R') motion.clearance_z_mm = number;
     if (letter == 'W') motion.retract_z_mm = number;
     if (letter == 'Q') motion.peck_mm = number;

@@ -38,6 +38,9 @@ std::vector<OptionRow> all_rows() {
       {{"program_number", 1.0,
         "number of a program whose name is no number from 1 to 8999, O0001 to O9999"},
        {"modal_words", true, "leave out axis words that do not change"},
+       {"rigid_tapping", std::vector<std::string>{"M29 {speed}"},
+        "blocks before a tapping cycle that couple feed and spindle; {speed} stands for the S "
+        "word; empty: the control does so by itself"},
        {"dwell_word", std::string{"P"}, "dwell: P in milliseconds or X in seconds"},
        {"inverse_time_decimals", 3.0, "decimals of F in G93, 0 to 4; rounded down"},
        {"largest_inverse_time", largest_inverse_time, "largest F in G93, 1/min"},
@@ -63,6 +66,7 @@ Result<Options> read(const machine::Options& given) {
   settings.common = read_common(reader);
   options.program_number = reader.whole("program_number", 1, 9999);
   settings.modal_words = reader.flag("modal_words");
+  settings.rigid_tapping = reader.lines("rigid_tapping", {"{speed}"});
   const std::string dwell = reader.text("dwell_word");
   if (dwell != "P" && dwell != "X") reader.refuse("dwell_word", "must be P or X");
   settings.dwell =

@@ -22,6 +22,7 @@ namespace {
 
 constexpr int whole_digits = 5;  ///< the control counts to 99999 mm and degrees
 constexpr double largest_feed = 99'999.999;
+constexpr double most_held_feed = 999'999'999.0;  ///< more is refused rather than held
 constexpr double longest_dwell_s = 3600.0;
 constexpr int largest_tool = 32'767;
 constexpr std::size_t comment_width = 60;
@@ -171,6 +172,7 @@ class Writer {
 
   bool write_straight(const path::Block& block, MotionCode code, double feed_mm_min);
   bool write_arc(const path::Block& block);
+  /// Held to what the control takes.
   bool write_feed(std::string& out, double feed_mm_min, std::uint32_t cl_line);
   void write_code(std::string& out, MotionCode code);
   void comment(std::string_view said);
@@ -293,7 +295,9 @@ void Writer::write_code(std::string& out, MotionCode code) {
 }
 
 bool Writer::write_feed(std::string& out, double feed_mm_min, std::uint32_t cl_line) {
-  if (feed_.append(out, feed_mm_min, {})) return true;
+  const double held =
+      feed_mm_min <= most_held_feed ? std::min(feed_mm_min, largest_feed) : feed_mm_min;
+  if (feed_.append(out, held, {})) return true;
   return refuse(unwritable("F", feed_mm_min, "mm/min", cl_line));
 }
 

@@ -115,6 +115,8 @@ bool Program::cycle_levels() {
   return true;
 }
 
+/// The control moves across at the level where the tool is and only then along Z to R, up or down
+/// (operator's manual, canned cycles for drilling, operations 1 and 2).
 bool Program::hole() {
   ReadMotion motion = started_motion(ReadMotion::Kind::drill);
   const std::size_t z = columns_.column_of('Z');
@@ -127,6 +129,7 @@ bool Program::hole() {
       static_cast<std::uint8_t>(motion.stated | (words_->has('Z') ? columns_.bit_of('Z') : 0U));
   motion.known = static_cast<std::uint8_t>(columns_.known | motion.stated | columns_.bit_of('Z'));
   columns_.position = motion.position;
+  if ((columns_.known >> z & 1U) != 0) motion.travel_z_mm = columns_.position[z];
   motion.position[z] = *cycle_.bottom_z;
   motion.clearance_z_mm = *cycle_.clearance_z;
   motion.retract_z_mm = modes_.return_to_initial ? *cycle_.initial_z : *cycle_.clearance_z;

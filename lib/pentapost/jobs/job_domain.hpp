@@ -1,0 +1,13 @@
+#pragma once
+
+#include "pentapost/core/result.hpp"
+#include "pentapost/jobs/post.hpp"
+
+namespace pentapost::jobs {
+
+/// Whether the numbers of a job that stand for themselves are within their domains.
+///
+/// @return Problem out_of_domain with value, limit and pointer.
+Status check_domain(const PostJob& job);
+
+}  // namespace pentapost::jobs
