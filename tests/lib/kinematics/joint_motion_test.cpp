@@ -1,4 +1,4 @@
-#include "pentapost/kinematics/jacobian.hpp"
+#include "pentapost/kinematics/joint_motion.hpp"
 
 #include "lib/kinematics/hard_chains.hpp"
 #include "pentapost/kinematics/forward.hpp"
@@ -108,6 +108,31 @@ Columns joints_at(const Model& model, const Motion& motion, double time) {
   return columns(linear.value_or(Vec3{NAN, NAN, NAN}), first_rad, second_rad);
 }
 
+/// Joint accelerations on the motion against differences of the joint rates along it.
+void expect_accelerations_are_differences(const Model& model, const Motion& motion, double step) {
+  const auto rates_at = [&](double time) {
+    const Columns joints = joints_at(model, motion, time);
+    const double speed = motion.axis_rate.norm();
+    const Vec3 axis_rate = std::cos(speed * time) * motion.axis_rate -
+                           speed * std::sin(speed * time) * motion.pose.axis;
+    const auto rates = joint_rates(model, {joints.head<3>(), joints[3], joints[4]},
+                                   motion.gauge_length_mm, motion.tip_rate_mm, axis_rate);
+    return rates ? columns(rates->linear_mm, rates->first_rad, rates->second_rad)
+                 : Columns{Columns::Constant(NAN)};
+  };
+  const JointMotion at{model, motion.joints, motion.gauge_length_mm};
+  const auto rates = at.rates({motion.tip_rate_mm, motion.axis_rate});
+  ASSERT_TRUE(rates);
+  const Vec3 axis_acceleration = -motion.axis_rate.squaredNorm() * motion.pose.axis;
+  const auto found = at.accelerations({Vec3::Zero(), axis_acceleration}, motion.axis_rate, *rates);
+  ASSERT_TRUE(found);
+
+  const Columns expected = derivative<Columns>(rates_at, step);
+  const Columns all = columns(found->linear_mm, found->first_rad, found->second_rad);
+  EXPECT_LT((all - expected).head<3>().norm(), 1e-6 * (1.0 + expected.head<3>().norm()));
+  EXPECT_LT((all - expected).tail<2>().norm(), 1e-6 * (1.0 + expected.tail<2>().norm()));
+}
+
 void expect_rates_are_differences(const Model& model, const Motion& motion, double step) {
   const auto rates = joint_rates(model, motion.joints, motion.gauge_length_mm, motion.tip_rate_mm,
                                  motion.axis_rate);
@@ -132,7 +157,7 @@ TEST_P(RatesOn, JacobianIsTheDerivativeOfForward) {
     const Columns at =
         columns(motion.joints.linear_mm, motion.joints.first_rad, motion.joints.second_rad);
 
-    const Jacobian found = jacobian(model, motion.joints, motion.gauge_length_mm);
+    const Jacobian found = JointMotion{model, motion.joints, motion.gauge_length_mm}.jacobian();
 
     for (Eigen::Index column = 0; column < 5; ++column) {
       const Rows expected = derivative<Rows>(
@@ -159,7 +184,8 @@ TEST_P(FiveAxisRatesOn, BringBackTheToolsVelocity) {
 
     ASSERT_TRUE(rates);
     const Columns joint_rates = columns(rates->linear_mm, rates->first_rad, rates->second_rad);
-    const Rows tool = jacobian(model, motion.joints, motion.gauge_length_mm) * joint_rates;
+    const Rows tool =
+        JointMotion{model, motion.joints, motion.gauge_length_mm}.jacobian() * joint_rates;
     const double scale = 1.0 + joint_rates.norm();
     ASSERT_LT((tool.head<3>() - motion.tip_rate_mm).norm(), 1e-12 * scale);
     ASSERT_LT((tool.tail<3>() - motion.axis_rate).norm(), 1e-14 * scale);
@@ -206,6 +232,24 @@ TEST_P(RatesAsDifferencesOn, EqualDifferencesOfTheInverseNextToSingularities) {
     for (int i = 0; i < 20 && !HasFailure(); ++i)
       expect_rates_are_differences(model, random_motion(model, random, opening_rad),
                                    1e-4 * model.fixed.sin_lambda_sin_mu);
+  }
+}
+
+TEST_P(RatesAsDifferencesOn, HaveTheAccelerationsAsTheirOwnDifferences) {
+  for (const double opening_rad : {0.3, 1.0, 1.6, 2.5, -0.3, -1.0, -1.6, -2.5}) {
+    SCOPED_TRACE(opening_rad);
+    for (int i = 0; i < 20 && !HasFailure(); ++i)
+      expect_accelerations_are_differences(model, random_motion(model, random, opening_rad),
+                                           0.1 * model.fixed.sin_lambda_sin_mu);
+  }
+}
+
+TEST_P(RatesAsDifferencesOn, HaveTheAccelerationsAsTheirOwnDifferencesNextToSingularities) {
+  for (const double opening_rad : {0.01, -0.01, pi - 0.01, 0.01 - pi}) {
+    SCOPED_TRACE(opening_rad);
+    for (int i = 0; i < 20 && !HasFailure(); ++i)
+      expect_accelerations_are_differences(model, random_motion(model, random, opening_rad),
+                                           1e-4 * model.fixed.sin_lambda_sin_mu);
   }
 }
 

@@ -1,0 +1,123 @@
+#include "pentapost/kinematics/joint_motion.hpp"
+
+#include "pentapost/kinematics/linear_solve.hpp"
+#include "pentapost/kinematics/turns.hpp"
+
+#include <cmath>
+
+namespace pentapost::kinematics {
+namespace {
+
+/// Sine of the opening below which rounding decides the rates.
+constexpr double smallest_opening_sine = 1e-12;
+/// Share of an axis velocity that one rotary joint, or none, may fail to follow.
+constexpr double follow_ratio = 1e-6;
+
+/// The columns of `matrix` turned; a zero matrix stays as it is.
+template <class Turn>
+Mat3 turned(bool is_used, const Mat3& matrix, const Turn& turn) {
+  if (!is_used) return Mat3::Zero();
+  Mat3 result;
+  for (Eigen::Index i = 0; i < 3; ++i) result.col(i) = turn(Vec3{matrix.col(i)});
+  return result;
+}
+
+}  // namespace
+
+JointMotion::JointMotion(const Model& model, const Joints& joints, double gauge_length_mm)
+    : model_{model}, before_{model.linear_columns[0]} {
+  const Turns turn{model, joints.first_rad, joints.second_rad};
+  const Vec3& linear = joints.linear_mm;
+  between_ = turned(model.has_linear[1], model.linear_columns[1],
+                    [&](const Vec3& vector) { return turn.first(vector); });
+  beyond_ = turned(model.has_linear[2], model.linear_columns[2],
+                   [&](const Vec3& vector) { return turn.first(turn.second(vector)); });
+  b_ = turn.first(model.b);
+  axis_ = turn.tool_axis();
+  second_arm_mm_ =
+      turn.first(turn.second(-model.b_point_mm - gauge_length_mm * model.t)) + beyond_ * linear;
+  first_arm_mm_ =
+      turn.first(model.b_point_mm - model.a_point_mm) + between_ * linear + second_arm_mm_;
+  // By the angle itself: a product of vectors would lose its digits near the pole.
+  if (model.rotary_count == 2) opening_sine_ = std::sin(joints.second_rad - model.beta_zero_rad);
+}
+
+Jacobian JointMotion::jacobian() const {
+  Jacobian matrix = Jacobian::Zero();
+  matrix.topLeftCorner<3, 3>() = before_ + between_ + beyond_;
+  if (model_.rotary_count >= 1) {
+    matrix.block<3, 1>(0, 3) = model_.a.cross(first_arm_mm_);
+    matrix.block<3, 1>(3, 3) = model_.a.cross(axis_);
+  }
+  if (model_.rotary_count >= 2) {
+    matrix.block<3, 1>(0, 4) = b_.cross(second_arm_mm_);
+    matrix.block<3, 1>(3, 4) = b_.cross(axis_);
+  }
+  return matrix;
+}
+
+std::optional<Eigen::Vector2d> JointMotion::rotary_rates(const Vec3& axis_rate) const {
+  if (model_.rotary_count == 2) {
+    if (!(std::abs(opening_sine_) >= smallest_opening_sine)) return std::nullopt;
+    const double triple =
+        (model_.a_flipped ? -1.0 : 1.0) * model_.fixed.sin_lambda_sin_mu * opening_sine_;
+    return Eigen::Vector2d{axis_rate.dot(b_), -axis_rate.dot(model_.a)} / triple;
+  }
+  const Vec3 sweep = model_.rotary_count == 1 ? Vec3{model_.a.cross(axis_)} : Vec3{Vec3::Zero()};
+  const double first =
+      sweep.isZero(smallest_opening_sine) ? 0.0 : axis_rate.dot(sweep) / sweep.squaredNorm();
+  if (!((axis_rate - first * sweep).norm() <= follow_ratio * axis_rate.norm())) return std::nullopt;
+  return Eigen::Vector2d{first, 0.0};
+}
+
+std::optional<Vec3> JointMotion::linear_rates_mm(const Vec3& tip_rate_mm, double first_rad,
+                                                 double second_rad) const {
+  const Vec3 carried =
+      first_rad * model_.a.cross(first_arm_mm_) + second_rad * b_.cross(second_arm_mm_);
+  return solve_linear(model_, before_ + between_ + beyond_, tip_rate_mm - carried);
+}
+
+std::optional<JointRates> JointMotion::rates(const ToolRates& tool) const {
+  const auto rotary = rotary_rates(tool.axis);
+  if (!rotary) return std::nullopt;
+  const auto linear = linear_rates_mm(tool.tip_mm, rotary->x(), rotary->y());
+  if (!linear) return std::nullopt;
+  return JointRates{*linear, rotary->x(), rotary->y()};
+}
+
+// Differentiating
+//   o' = alpha' a x o + beta' b x o,    tip' = M l' + alpha' a x A + beta' b x B
+// once more, with b' = alpha' a x b, leaves the same matrix for the second derivatives.
+std::optional<JointRates> JointMotion::accelerations(const ToolRates& tool, const Vec3& axis_rate,
+                                                     const JointRates& rates) const {
+  const Vec3& a = model_.a;
+  const double alpha = rates.first_rad, beta = rates.second_rad;
+  const Vec3 b_rate = alpha * a.cross(b_);
+  const Vec3 axis_rest =
+      alpha * a.cross(axis_rate) + beta * (b_rate.cross(axis_) + b_.cross(axis_rate));
+  // The part along the tool axis is the sphere's own; without two joints it must not count.
+  Vec3 axis_left = tool.axis - axis_rest;
+  axis_left -= axis_left.dot(axis_) * axis_;
+  const auto rotary = rotary_rates(axis_left);
+  if (!rotary) return std::nullopt;
+
+  const Vec3 between_way = between_ * rates.linear_mm, beyond_way = beyond_ * rates.linear_mm;
+  const Vec3 second_arm_rate =
+      alpha * a.cross(second_arm_mm_) + beta * b_.cross(second_arm_mm_) + beyond_way;
+  const Vec3 first_arm_rate =
+      alpha * a.cross(first_arm_mm_) + beta * b_.cross(second_arm_mm_) + between_way + beyond_way;
+  const Vec3 tip_rest = alpha * a.cross(between_way + beyond_way) + beta * b_.cross(beyond_way) +
+                        alpha * a.cross(first_arm_rate) + beta * b_rate.cross(second_arm_mm_) +
+                        beta * b_.cross(second_arm_rate);
+  const auto linear = linear_rates_mm(tool.tip_mm - tip_rest, rotary->x(), rotary->y());
+  if (!linear) return std::nullopt;
+  return JointRates{*linear, rotary->x(), rotary->y()};
+}
+
+std::optional<JointRates> joint_rates(const Model& model, const Joints& joints,
+                                      double gauge_length_mm, const Vec3& tip_rate_mm,
+                                      const Vec3& axis_rate) {
+  return JointMotion{model, joints, gauge_length_mm}.rates({tip_rate_mm, axis_rate});
+}
+
+}  // namespace pentapost::kinematics

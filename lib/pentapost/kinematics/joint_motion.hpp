@@ -1,0 +1,72 @@
+#pragma once
+
+#include "pentapost/kinematics/model.hpp"
+
+#include <Eigen/Dense>
+
+#include <optional>
+
+namespace pentapost::kinematics {
+
+/// Tool velocity in the table frame per joint velocity: rows tip x y z (mm), axis x y z; columns
+/// linear joints (per mm), then first and second rotary joint (per rad).
+using Jacobian = Eigen::Matrix<double, 6, 5>;
+
+/// Derivatives of the joints by the path parameter, of first or second order.
+struct JointRates {
+  Vec3 linear_mm = Vec3::Zero();
+  double first_rad = 0.0;
+  double second_rad = 0.0;
+};
+
+/// Derivatives of the tool's way by the path parameter, table frame.
+struct ToolRates {
+  Vec3 tip_mm = Vec3::Zero();
+  Vec3 axis = Vec3::Zero();  ///< first order: tangent to the sphere at the tool axis
+};
+
+/// Directions and levers of all joints in one posture, from which the rates and accelerations of
+/// the joints follow. Table frame. Refers to the model.
+/// Source: lib/README.md section 3, which contains Cripps et al. 2017 eq. (5) and (6).
+class JointMotion {
+ public:
+  JointMotion(const Model& model, const Joints& joints, double gauge_length_mm);
+
+  Jacobian jacobian() const;
+
+  /// The derivative of the inverse: joint rates for tool rates.
+  /// @return nullopt at a singularity (the triangle or the linear directions degenerate), or where
+  ///         fewer than two rotary joints cannot follow the axis (to 1e-6 of its velocity).
+  std::optional<JointRates> rates(const ToolRates& tool) const;
+
+  /// Rates of the linear joints for tip rates while the rotary joints have theirs.
+  std::optional<Vec3> linear_rates_mm(const Vec3& tip_rate_mm, double first_rad,
+                                      double second_rad) const;
+
+  /// The second derivative of the inverse.
+  /// @param tool  second derivatives of the tool's way.
+  /// @param axis_rate  first derivative of the tool axis; `rates` are the joints'.
+  /// @return nullopt as rates().
+  std::optional<JointRates> accelerations(const ToolRates& tool, const Vec3& axis_rate,
+                                          const JointRates& rates) const;
+
+  const Vec3& axis() const { return axis_; }
+  /// Sine of the triangle's angle at b, signed: 0 at a singularity. 1 where there is no triangle.
+  double opening_sine() const { return opening_sine_; }
+
+ private:
+  std::optional<Eigen::Vector2d> rotary_rates(const Vec3& axis_rate) const;
+
+  const Model& model_;
+  Mat3 before_, between_, beyond_;  ///< tip per linear joint, by the joint's place in the chain
+  Vec3 b_, axis_;
+  Vec3 first_arm_mm_, second_arm_mm_;  ///< from the rotary axes to the tip
+  double opening_sine_ = 1.0;
+};
+
+/// Joint velocities for a tool velocity, in one call.
+std::optional<JointRates> joint_rates(const Model& model, const Joints& joints,
+                                      double gauge_length_mm, const Vec3& tip_rate_mm,
+                                      const Vec3& axis_rate);
+
+}  // namespace pentapost::kinematics
