@@ -76,6 +76,36 @@ Vec3 Segment::axis(double fraction) const {
   return std::cos(angle_rad) * axis_from_ + std::sin(angle_rad) * axis_turn_;
 }
 
+Vec3 Segment::tip_rate_mm(double fraction) const {
+  if (!is_arc_) return tip_to_mm_ - tip_from_mm_;
+  const double angle_rad = fraction * sweep_rad_;
+  const double radius_mm = radius_from_mm_ + fraction * radius_change_mm();
+  const Vec3 across = normal_.cross(radial_);
+  return (height_to_mm_ - height_from_mm_) * normal_ +
+         radius_change_mm() * (std::cos(angle_rad) * radial_ + std::sin(angle_rad) * across) +
+         radius_mm * sweep_rad_ * (std::cos(angle_rad) * across - std::sin(angle_rad) * radial_);
+}
+
+Vec3 Segment::tip_acceleration_mm(double fraction) const {
+  if (!is_arc_) return Vec3::Zero();
+  const double angle_rad = fraction * sweep_rad_;
+  const double radius_mm = radius_from_mm_ + fraction * radius_change_mm();
+  const Vec3 across = normal_.cross(radial_);
+  return 2.0 * radius_change_mm() * sweep_rad_ *
+             (std::cos(angle_rad) * across - std::sin(angle_rad) * radial_) -
+         radius_mm * sweep_rad_ * sweep_rad_ *
+             (std::cos(angle_rad) * radial_ + std::sin(angle_rad) * across);
+}
+
+Vec3 Segment::axis_rate(double fraction) const {
+  const double angle_rad = fraction * axis_angle_rad_;
+  return axis_angle_rad_ * (std::cos(angle_rad) * axis_turn_ - std::sin(angle_rad) * axis_from_);
+}
+
+Vec3 Segment::axis_acceleration(double fraction) const {
+  return -axis_angle_rad_ * axis_angle_rad_ * axis(fraction);
+}
+
 double Segment::largest_radius_mm() const { return std::max(radius_from_mm_, radius_to_mm_); }
 double Segment::smallest_radius_mm() const { return std::min(radius_from_mm_, radius_to_mm_); }
 

@@ -17,9 +17,14 @@ class Segment {
   Segment(const Vec3& tip_from_mm, const Vec3& axis_from, const Vec3& tip_to_mm,
           const Vec3& axis_to, const Arc* arc = nullptr);
 
-  Vec3 tip_mm(double fraction) const;              ///< 0: start, 1: end (both exact)
-  Vec3 axis(double fraction) const;                ///< unit, on the great circle; 0 and 1 are exact
-  double length_mm() const { return length_mm_; }  ///< length of the tip's path
+  Vec3 tip_mm(double fraction) const;  ///< 0: start, 1: end (both exact)
+  Vec3 axis(double fraction) const;    ///< unit, on the great circle; 0 and 1 are exact
+  // Derivatives by the fraction; the length of tip_rate_mm() is length_mm() but on a spiral.
+  Vec3 tip_rate_mm(double fraction) const;
+  Vec3 tip_acceleration_mm(double fraction) const;
+  Vec3 axis_rate(double fraction) const;
+  Vec3 axis_acceleration(double fraction) const;
+  double length_mm() const { return length_mm_; }            ///< length of the tip's path
   double axis_angle_rad() const { return axis_angle_rad_; }  ///< angle that the tool axis turns
   bool is_arc() const { return is_arc_; }
   const Vec3& tip_from_mm() const { return tip_from_mm_; }

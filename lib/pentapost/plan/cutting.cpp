@@ -1,13 +1,13 @@
 #include "pentapost/plan/cutting.hpp"
 
 #include "pentapost/core/number_text.hpp"
+#include "pentapost/plan/choice.hpp"
 #include "pentapost/plan/drilling.hpp"
 #include "pentapost/plan/feed.hpp"
 #include "pentapost/plan/linearise.hpp"
 #include "pentapost/plan/move_curve.hpp"
 #include "pentapost/plan/native_arc.hpp"
 #include "pentapost/plan/plain_block.hpp"
-#include "pentapost/plan/plain_choice.hpp"
 #include "pentapost/plan/retract.hpp"
 
 #include <algorithm>
@@ -462,24 +462,14 @@ Status cut_sequence(const kinematics::Model& model, const JointRanges& ranges,
                     const path::ToolPath& tool_path, const Settings& settings,
                     const Sequence& sequence, double gauge_length_mm, bool check_linear,
                     Frame& frame, Program& program) {
-  const double freedom_rad = axis_freedom_rad(settings.axis_tolerance_rad, settings.flank);
-  const double slack_rad = std::min(std::max(tool_path.axis_rounding_rad, freedom_rad),
-                                    0.5 * settings.axis_tolerance_rad);
-  const PoleZone zone = pole_zone(model, tool_path.axis_rounding_rad, freedom_rad);
-  auto axis_path = plain_choice(model, ranges, tool_path, sequence.range, zone, settings,
-                                gauge_length_mm, check_linear);
-  if (!axis_path) {
-    auto candidates = find_candidates(model, tool_path, sequence.range, zone, slack_rad);
-    if (!candidates) return std::move(candidates).error();
-    auto chosen = choose_branches(model, ranges, tool_path, *candidates, settings, gauge_length_mm,
-                                  check_linear);
-    if (!chosen) return std::move(chosen).error();
-    axis_path = std::move(chosen).value();
-    program.axis_change_rad = std::max(program.axis_change_rad, candidates->largest_freedom_rad);
-  }
+  const auto choice =
+      choose(model, ranges, tool_path, sequence.range, settings, gauge_length_mm, check_linear);
+  if (!choice) return choice.error();
+  program.axis_change_rad = std::max(program.axis_change_rad, choice->axis_change_rad);
   frame.begin_sequence(sequence);
-  return Cutting{model,     ranges,          tool_path,    settings, *axis_path,
-                 slack_rad, gauge_length_mm, check_linear, frame,    program}
+  return Cutting{
+      model,           ranges,       tool_path, settings, choice->axis_path, choice->slack_rad,
+      gauge_length_mm, check_linear, frame,     program}
       .run();
 }
 

@@ -95,6 +95,30 @@ TEST(Segment, TakesAnArcWithoutRadiusWithoutLosingItsNumbers) {
   EXPECT_EQ(move.nearest_fraction({5, 5, 5}, 0.5), 0.0);
 }
 
+/// Rates and accelerations against central differences, on a line, a circle and a spiral helix.
+TEST(Segment, HasItsDerivatives) {
+  const Arc arc = quarter_about_z();
+  const Segment moves[] = {
+      Segment{{0.1, 0.2, 0.3}, tilted(0.1), {7.7, -1.3, 0.9}, tilted(1.2)},
+      Segment{{11, 2, 0}, tilted(0.3), {1, 12, 0}, tilted(0.3), &arc},
+      Segment{{11, 2, 0}, tilted(0.4), {1, 11.5, 3}, tilted(-0.2), &arc},
+  };
+  constexpr double h = 1e-4;
+  for (const Segment& move : moves)
+    for (const double s : {0.2, 0.5, 0.9}) {
+      const Vec3 tip_rate = (move.tip_mm(s + h) - move.tip_mm(s - h)) / (2.0 * h);
+      const Vec3 tip_acceleration =
+          (move.tip_mm(s + h) - 2.0 * move.tip_mm(s) + move.tip_mm(s - h)) / (h * h);
+      const Vec3 axis_rate = (move.axis(s + h) - move.axis(s - h)) / (2.0 * h);
+      const Vec3 axis_acceleration =
+          (move.axis(s + h) - 2.0 * move.axis(s) + move.axis(s - h)) / (h * h);
+      EXPECT_LT((move.tip_rate_mm(s) - tip_rate).norm(), 1e-6);
+      EXPECT_LT((move.tip_acceleration_mm(s) - tip_acceleration).norm(), 1e-5);
+      EXPECT_LT((move.axis_rate(s) - axis_rate).norm(), 1e-8);
+      EXPECT_LT((move.axis_acceleration(s) - axis_acceleration).norm(), 1e-6);
+    }
+}
+
 TEST(Segment, FindsTheNearestFractionOnALine) {
   const Segment move{{0, 0, 0}, Vec3::UnitZ(), {10, 0, 0}, Vec3::UnitZ()};
 
