@@ -75,7 +75,8 @@ const std::map<std::string, Names, std::less<>> lib_layers{
     {"plan", {"core", "path", "machine", "kinematics"}},
     {"nc", {"core", "path", "machine"}},
     {"verify", {"core", "path", "machine", "kinematics", "nc"}},
-    {"jobs", {"core", "path", "machine", "cl", "kinematics", "plan", "nc", "verify"}},
+    {"analysis", {"core", "path", "machine", "kinematics", "plan"}},
+    {"jobs", {"core", "path", "machine", "cl", "kinematics", "plan", "analysis", "nc", "verify"}},
 };
 
 // Third-party header -> the places that may include it; "/" at the end: a folder, .cpp only.

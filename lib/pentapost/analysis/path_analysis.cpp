@@ -1,0 +1,269 @@
+#include "pentapost/analysis/path_analysis.hpp"
+
+#include "pentapost/analysis/stretch.hpp"
+#include "pentapost/kinematics/inverse.hpp"
+#include "pentapost/plan/choice.hpp"
+#include "pentapost/plan/sequences.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace pentapost::analysis {
+namespace {
+
+using plan::AxisPath;
+using plan::RotaryPair;
+
+/// The feed that the CL data set for the move to a point.
+class ProgrammedFeed {
+ public:
+  explicit ProgrammedFeed(const path::ToolPath& tool_path) : events_{tool_path.events} {}
+
+  /// Takes the events before the move to `point`.
+  void advance_to(std::uint32_t point) {
+    arc_ = nullptr;
+    for (; next_ < events_.size() && events_[next_].before_point <= point; ++next_) {
+      const path::EventKind& what = events_[next_].what;
+      if (const auto* feed = std::get_if<path::FeedRate>(&what)) feed_ = *feed;
+      if (const auto* spindle = std::get_if<path::Spindle>(&what); spindle && spindle->speed_rpm)
+        speed_rpm_ = spindle->speed_rpm;
+      if (events_[next_].before_point == point)
+        if (const auto* arc = std::get_if<path::Arc>(&what)) arc_ = arc;
+    }
+  }
+  std::optional<double> feed_mm_min() const {
+    if (!feed_) return std::nullopt;
+    if (feed_->unit == path::FeedRate::Unit::mm_min) return feed_->value;
+    if (!speed_rpm_) return std::nullopt;
+    return feed_->value * *speed_rpm_;
+  }
+  const path::Arc* arc() const { return arc_; }
+
+ private:
+  const std::vector<path::Event>& events_;
+  std::size_t next_ = 0;
+  std::optional<path::FeedRate> feed_;
+  std::optional<double> speed_rpm_;
+  const path::Arc* arc_ = nullptr;
+};
+
+/// One sequence after the other.
+class Walk {
+ public:
+  Walk(const kinematics::Model& model, const path::ToolPath& tool_path,
+       const plan::Settings& settings, const Allowance& allowance, PathAnalysis& analysis)
+      : model_{model},
+        tool_path_{tool_path},
+        settings_{settings},
+        allowance_{allowance},
+        analysis_{analysis},
+        survey_{analysis.singularities, allowance},
+        feed_{tool_path} {}
+
+  Status run(const plan::Choice& choice, double gauge_length_mm) {
+    axis_path_ = &choice.axis_path;
+    slack_rad_ = choice.slack_rad;
+    gauge_length_mm_ = gauge_length_mm;
+    departure_ = axis_path_->departures.begin();
+    crossing_ = axis_path_->crossings.begin();
+    survey_.interrupt();
+    const std::uint32_t begin = axis_path_->range.begin;
+    feed_.advance_to(begin);
+    if (begin > 0) s_mm_ += (tip_mm(begin) - tip_mm(begin - 1)).norm();
+    rotary_ = axis_path_->at(begin);
+    depart(begin);
+    for (std::uint32_t point = begin + 1; point < axis_path_->range.end; ++point) {
+      feed_.advance_to(point);
+      if (auto status = move_to(point); !status) return status;
+      rotary_ = axis_path_->at(point);
+      depart(point);
+    }
+    return ok();
+  }
+
+  void finish() {
+    analysis_.closest = survey_.closest();
+    analysis_.peaks = survey_.peaks();
+    analysis_.zones = survey_.singular_zones();
+    analysis_.over_demands = survey_.plain_zones();
+    analysis_.predicted_time_s = survey_.predicted_time_s();
+  }
+
+ private:
+  const Vec3& tip_mm(std::uint32_t point) const { return tool_path_.tip_wp_mm[point]; }
+
+  Vec3 axis(std::uint32_t point) const {
+    const std::uint8_t pole = axis_path_->pole[point - axis_path_->range.begin];
+    return pole == 0 || model_.rotary_count != 2 ? tool_path_.axis_wp[point]
+                                                 : plan::pole_axis(model_, pole);
+  }
+
+  PathPlace place(std::uint32_t point) const {
+    return {point, tool_path_.cl_line[point], s_mm_, tip_mm(point)};
+  }
+
+  Status move_to(std::uint32_t point) {
+    const path::Segment segment{tip_mm(point - 1), axis(point - 1), tip_mm(point), axis(point),
+                                feed_.arc()};
+    const double s_from_mm = s_mm_;
+    s_mm_ += segment.length_mm();
+    if (tool_path_.move[point] == path::Move::rapid) {
+      if (crosses(point)) ++crossing_;
+      reposition(Repositioning::Kind::rapid, point, axis_path_->at(point));
+      return ok();
+    }
+    if (segment.length_mm() == 0.0) {
+      if (crosses(point)) ++crossing_;
+      reposition(Repositioning::Kind::turn_in_place, point, axis_path_->at(point));
+      return ok();
+    }
+    const auto feed_mm_min = feed_.feed_mm_min();
+    const std::uint32_t line = tool_path_.cl_line[point];
+    if (!feed_mm_min)
+      return Problem{.code = Code::no_feed,
+                     .message = "the cutting move to CL line " + std::to_string(line) +
+                                " has no feed; a FEDRAT before it is needed",
+                     .cl_line = line};
+    const SurveyedMove move{.point = point,
+                            .cl_line = line,
+                            .s_from_mm = s_from_mm,
+                            .length_mm = segment.length_mm(),
+                            .feed_mm_min = *feed_mm_min,
+                            .segment = &segment};
+    analysis_.length_mm += move.length_mm;
+    analysis_.programmed_time_s += move.time_s();
+    cut(move);
+    return ok();
+  }
+
+  bool crosses(std::uint32_t point) const {
+    return crossing_ != axis_path_->crossings.end() && crossing_->point == point;
+  }
+
+  void cut(const SurveyedMove& move) {
+    using Follows = ClStretch::Follows;
+    const RotaryPair& arrival = axis_path_->at(move.point);
+    if (crosses(move.point)) {
+      const AxisPath::Crossing& crossing = *crossing_++;
+      survey(move, Follows::branch, crossing.branch_before, {.fraction_to = crossing.fraction});
+      if (!(crossing.before == crossing.after)) {
+        rotary_ = crossing.before;
+        reposition(Repositioning::Kind::turn_in_place, move.point, crossing.after);
+      }
+      survey(move, Follows::branch, crossing.branch_after, {.fraction_from = crossing.fraction});
+      return;
+    }
+    const std::uint8_t branch = axis_path_->branch[move.point - axis_path_->range.begin];
+    if (branch == AxisPath::at_rest)
+      survey(move, Follows::rest, 0,
+             {.first_from_rad = rotary_.first_rad,
+              .first_to_rad = arrival.first_rad,
+              .second_rad = arrival.second_rad});
+    else
+      survey(move, Follows::branch, branch, {});
+  }
+
+  void survey(const SurveyedMove& move, ClStretch::Follows follows, int branch,
+              const ClStretch::Ends& ends) {
+    const ClStretch stretch{model_,           *move.segment,       follows,   branch, ends,
+                            gauge_length_mm_, settings_.origin_mm, slack_rad_};
+    Grid{stretch, move.time_s(), allowance_}.fill(places_);
+    survey_.take(move, places_);
+  }
+
+  /// At a point the path may go on with other rotary values than it came with.
+  void depart(std::uint32_t point) {
+    for (; departure_ != axis_path_->departures.end() && departure_->point == point; ++departure_) {
+      if (departure_->inside) continue;
+      reposition(
+          departure_->retract ? Repositioning::Kind::retract : Repositioning::Kind::turn_in_place,
+          point, departure_->pair);
+      rotary_ = departure_->pair;
+    }
+  }
+
+  void reposition(Repositioning::Kind kind, std::uint32_t point, const RotaryPair& to) {
+    survey_.interrupt();
+    analysis_.repositionings.push_back({kind, place(point), time_s(kind, point, to)});
+  }
+
+  std::optional<double> time_s(Repositioning::Kind kind, std::uint32_t point,
+                               const RotaryPair& to) const {
+    PerAxis way{};
+    way[first_axis] = to.first_rad - rotary_.first_rad;
+    way[second_axis] = to.second_rad - rotary_.second_rad;
+    const Vec3& tip_from_mm =
+        kind == Repositioning::Kind::rapid ? tip_mm(point - 1) : tip_mm(point);
+    const auto from = linear_mm(tip_from_mm, rotary_), until = linear_mm(tip_mm(point), to);
+    if (!from || !until) return std::nullopt;
+    for (std::size_t i = 0; i < first_axis; ++i)
+      way[i] = (*until - *from)[static_cast<Eigen::Index>(i)];
+    std::optional<double> time;
+    constexpr double no_way = 1e-9;
+    for (std::size_t i = 0; i < axis_count; ++i)
+      if (std::abs(way[i]) > no_way && allowance_.limits[i])
+        time = std::max(time.value_or(0.0), std::abs(way[i]) / *allowance_.limits[i]);
+    return time;
+  }
+
+  std::optional<Vec3> linear_mm(const Vec3& tip_mm, const RotaryPair& rotary) const {
+    return kinematics::inverse_linear(model_, tip_mm + settings_.origin_mm, rotary.first_rad,
+                                      rotary.second_rad, gauge_length_mm_);
+  }
+
+  const kinematics::Model& model_;
+  const path::ToolPath& tool_path_;
+  const plan::Settings& settings_;
+  const Allowance& allowance_;
+  PathAnalysis& analysis_;
+  Survey survey_;
+  ProgrammedFeed feed_;
+  const AxisPath* axis_path_ = nullptr;
+  double slack_rad_ = 0.0, gauge_length_mm_ = 0.0;
+  std::vector<AxisPath::Departure>::const_iterator departure_;
+  std::vector<AxisPath::Crossing>::const_iterator crossing_;
+  RotaryPair rotary_;
+  double s_mm_ = 0.0;
+  std::vector<Place> places_;
+};
+
+}  // namespace
+
+SpeedLimits speed_limits(const kinematics::Model& model, const plan::Settings& settings) {
+  SpeedLimits limits;
+  const auto limit_of = [&](const std::string& name) -> std::optional<double> {
+    const auto found = settings.limits.find(name);
+    return found == settings.limits.end() ? std::nullopt : found->second.max_speed;
+  };
+  for (std::size_t i = 0; i < first_axis; ++i) limits[i] = limit_of(model.linear_names[i]);
+  for (int i = 0; i < model.rotary_count; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    limits[first_axis + index] = limit_of(model.rotary_names[index]);
+  }
+  return limits;
+}
+
+Result<PathAnalysis> analyse_path(const kinematics::Model& model, const plan::JointRanges& ranges,
+                                  const path::ToolPath& tool_path, const plan::Settings& settings,
+                                  double share) {
+  PathAnalysis analysis;
+  analysis.singularities = kinematics::singularities(model);
+  const Allowance allowance{speed_limits(model, settings), share};
+  Walk walk{model, tool_path, settings, allowance, analysis};
+  for (const plan::Sequence& sequence : plan::sequences(tool_path)) {
+    const auto gauge = settings.gauge_length_mm.find(sequence.tool_number);
+    const bool gauge_known = gauge != settings.gauge_length_mm.end();
+    const double gauge_mm = gauge_known ? gauge->second : 0.0;
+    const auto choice = plan::choose(model, ranges, tool_path, sequence.range, settings, gauge_mm,
+                                     settings.origin_known && gauge_known);
+    if (!choice) return choice.error();
+    if (auto status = walk.run(*choice, gauge_mm); !status) return std::move(status).error();
+  }
+  walk.finish();
+  return analysis;
+}
+
+}  // namespace pentapost::analysis

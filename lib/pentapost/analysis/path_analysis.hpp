@@ -1,0 +1,49 @@
+#pragma once
+
+#include "pentapost/analysis/survey.hpp"
+#include "pentapost/core/result.hpp"
+#include "pentapost/kinematics/model.hpp"
+#include "pentapost/path/tool_path.hpp"
+#include "pentapost/plan/branches.hpp"
+#include "pentapost/plan/settings.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace pentapost::analysis {
+
+/// A move in which the tip does not cut along the path: a rapid, a turn in place, a retract.
+struct Repositioning {
+  enum class Kind { rapid, turn_in_place, retract };
+  Kind kind = Kind::rapid;
+  PathPlace at;                  ///< where it ends
+  std::optional<double> time_s;  ///< by the axis limits; nullopt: no moving axis has one
+};
+
+/// What a tool path asks of a machine's axes at the programmed feed.
+struct PathAnalysis {
+  std::vector<kinematics::Singularity> singularities;  ///< in workpiece coordinates of the setup
+  std::optional<Approach> closest;                     ///< over all cutting moves
+  std::array<AxisPeak, axis_count> peaks{};            ///< over all cutting moves
+  std::vector<Zone> zones;                             ///< caused by a singularity
+  std::vector<Zone> over_demands;                      ///< not caused by one
+  std::vector<Repositioning> repositionings;
+  double length_mm = 0.0;          ///< of the tip's way over all cutting moves
+  double programmed_time_s = 0.0;  ///< of these at the programmed feed
+  double predicted_time_s = 0.0;   ///< of these, slowed down to the speed limits
+};
+
+/// Limits by the order of the model's axes, from those of the settings.
+SpeedLimits speed_limits(const kinematics::Model& model, const plan::Settings& settings);
+
+/// Analyses the continuous path: tip on its lines and arcs, tool axis on its great circles, rotary
+/// solutions as they are chosen for the NC program (lib/README.md section 3).
+///
+/// @param tool_path  in the table's orientation; holes expanded.
+/// @param share  of a limit, from which a stretch counts as a zone.
+/// @return Problem with the CL line: out of reach or range, or no feed.
+Result<PathAnalysis> analyse_path(const kinematics::Model& model, const plan::JointRanges& ranges,
+                                  const path::ToolPath& tool_path, const plan::Settings& settings,
+                                  double share);
+
+}  // namespace pentapost::analysis

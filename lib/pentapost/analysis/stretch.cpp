@@ -1,0 +1,73 @@
+#include "pentapost/analysis/stretch.hpp"
+
+#include "pentapost/kinematics/inverse.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pentapost::analysis {
+
+using kinematics::JointMotion;
+using kinematics::Joints;
+
+ClStretch::ClStretch(const kinematics::Model& model, const path::Segment& segment, Follows follows,
+                     int branch, const Ends& ends, double gauge_length_mm, const Vec3& origin_mm,
+                     double slack_rad)
+    : model_{model},
+      segment_{segment},
+      follows_{follows},
+      branch_{branch},
+      ends_{ends},
+      gauge_length_mm_{gauge_length_mm},
+      origin_mm_{origin_mm},
+      slack_rad_{slack_rad} {}
+
+std::optional<Demand> ClStretch::at(double fraction) const {
+  Joints joints;
+  double first_rate_rad = 0.0;
+  if (follows_ == Follows::rest) {
+    const double length = ends_.fraction_to - ends_.fraction_from;
+    first_rate_rad = (ends_.first_to_rad - ends_.first_from_rad) / length;
+    joints.first_rad = ends_.first_from_rad + (fraction - ends_.fraction_from) * first_rate_rad;
+    joints.second_rad = ends_.second_rad;
+  } else {
+    const auto found = kinematics::inverse_rotary(model_, segment_.axis(fraction), slack_rad_);
+    if (found.count == 0) return std::nullopt;
+    const auto& solution = found.branch[static_cast<std::size_t>(branch_)];
+    joints.first_rad = solution.first_rad;
+    joints.second_rad = solution.second_rad;
+  }
+  const auto linear =
+      kinematics::inverse_linear(model_, segment_.tip_mm(fraction) + origin_mm_, joints.first_rad,
+                                 joints.second_rad, gauge_length_mm_);
+  if (!linear) return std::nullopt;
+  joints.linear_mm = *linear;
+  const JointMotion motion{model_, joints, gauge_length_mm_};
+  const Vec3 tip_rate_mm = segment_.tip_rate_mm(fraction);
+  if (follows_ == Follows::rest) return demand_of(motion, tip_rate_mm, first_rate_rad, 0.0);
+  const auto rates = motion.rates({tip_rate_mm, segment_.axis_rate(fraction)});
+  if (!rates) return std::nullopt;
+  return demand_of(motion, tip_rate_mm, rates->first_rad, rates->second_rad);
+}
+
+double ClStretch::relative_change(const Demand& from, const Demand& to, double length) const {
+  if (follows_ == Follows::rest) return length * std::abs(from.rate[first_axis]);
+  const double turn = segment_.axis_angle_rad() + segment_.sweep_rad();
+  if (turn == 0.0) return 0.0;
+  return length * turn / std::min(from.opening_sine, to.opening_sine);
+}
+
+// On the great circle cos(gamma) = c.o0 cos(x) + c.u sin(x) has its ends at x and x + pi.
+std::vector<double> ClStretch::turning_places() const {
+  std::vector<double> places;
+  const double turn = segment_.axis_angle_rad();
+  if (follows_ == Follows::rest || turn == 0.0 || model_.rotary_count < 2) return places;
+  const Vec3 along = segment_.axis_rate(0.0) / turn;
+  const double nearest = std::atan2(model_.a.dot(along), model_.a.dot(segment_.axis_from()));
+  for (const double angle : {nearest, nearest + pi, nearest - pi})
+    if (const double place = angle / turn; place > ends_.fraction_from && place < ends_.fraction_to)
+      places.push_back(place);
+  return places;
+}
+
+}  // namespace pentapost::analysis

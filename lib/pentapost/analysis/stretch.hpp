@@ -1,0 +1,55 @@
+#pragma once
+
+#include "pentapost/analysis/demand.hpp"
+#include "pentapost/kinematics/model.hpp"
+#include "pentapost/path/segment.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace pentapost::analysis {
+
+/// Where and how the joints move along a part of a CL move, at the places between its fractions.
+/// Refers to model and segment.
+class ClStretch {
+ public:
+  enum class Follows {
+    branch,  ///< the rotary joints follow the tool axis on one solution
+    rest,    ///< the tool axis rests at the pole while the first joint turns evenly
+  };
+  struct Ends {
+    double fraction_from = 0.0, fraction_to = 1.0;
+    double first_from_rad = 0.0, first_to_rad = 0.0;  ///< of Follows::rest
+    double second_rad = 0.0;                          ///< of Follows::rest
+  };
+
+  /// @param segment  in the table's orientation; from or to the pole itself where it is passed.
+  /// @param origin_mm  CL origin in the table frame.
+  /// @param slack_rad  see kinematics::inverse_rotary.
+  ClStretch(const kinematics::Model& model, const path::Segment& segment, Follows follows,
+            int branch, const Ends& ends, double gauge_length_mm, const Vec3& origin_mm,
+            double slack_rad);
+
+  double from() const { return ends_.fraction_from; }
+  double to() const { return ends_.fraction_to; }
+  /// @return nullopt where the joints have no rates: at a singularity itself, out of reach.
+  std::optional<Demand> at(double fraction) const;
+  /// Fractions inside where the tool axis is nearest to the first rotary axis or farthest from it:
+  /// there the singularities are nearest.
+  std::vector<double> turning_places() const;
+  /// Bound, but for a factor near 1, of what the rates change by between two places, relative to
+  /// themselves.
+  double relative_change(const Demand& from, const Demand& to, double length) const;
+
+ private:
+  const kinematics::Model& model_;
+  const path::Segment& segment_;
+  Follows follows_;
+  int branch_;
+  Ends ends_;
+  double gauge_length_mm_;
+  Vec3 origin_mm_;
+  double slack_rad_;
+};
+
+}  // namespace pentapost::analysis

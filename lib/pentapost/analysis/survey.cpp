@@ -1,0 +1,94 @@
+#include "pentapost/analysis/survey.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pentapost::analysis {
+
+using kinematics::Singularity;
+
+Survey::Survey(std::vector<Singularity> singularities, const Allowance& allowance)
+    : singularities_{std::move(singularities)}, allowance_{allowance} {}
+
+PathPlace Survey::place_of(const SurveyedMove& move, double fraction) const {
+  return {.point = move.point,
+          .cl_line = move.cl_line,
+          .s_mm = move.s_from_mm + fraction * move.length_mm,
+          .tip_wp_mm = move.segment->tip_mm(fraction)};
+}
+
+void Survey::take(const SurveyedMove& move, const std::vector<Place>& places) {
+  if (places.empty()) return interrupt();
+  take_place(move, places.front());
+  const double time_s = move.time_s();
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const Place &from = places[i - 1], &to = places[i];
+    take_place(move, to);
+    const double share = to.fraction - from.fraction;
+    const double slowing =
+        0.5 * (std::max(1.0, from.load.largest()) + std::max(1.0, to.load.largest()));
+    predicted_time_s_ += share * time_s * slowing;
+    const double lost_s = share * time_s * (slowing - 1.0);
+    const auto both = [&](auto side) { return side(from.load) && side(to.load); };
+    const double allowed = allowance_.share;
+    extend(singular_, both([&](const Load& load) { return load.is_singular(allowed); }), move, from,
+           to, lost_s);
+    extend(plain_, both([&](const Load& load) { return load.is_plainly_over(allowed); }), move,
+           from, to, lost_s);
+  }
+}
+
+void Survey::interrupt() { singular_.is_open = plain_.is_open = false; }
+
+void Survey::take_place(const SurveyedMove& move, const Place& place) {
+  const double time_s = move.time_s();
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const double speed = std::abs(place.demand.rate[i]) / time_s;
+    if (speed > peaks_[i].speed)
+      peaks_[i] = {speed, place.load.ratio[i], place_of(move, place.fraction)};
+  }
+  for (const Singularity& each : singularities_) {
+    const double distance = kinematics::distance_rad(each, place.demand.axis);
+    if (!closest_ || distance < closest_->distance_rad)
+      closest_ = Approach{distance, each.kind, place_of(move, place.fraction)};
+  }
+}
+
+void Survey::extend(Zones& zones, bool is_inside, const SurveyedMove& move, const Place& from,
+                    const Place& to, double lost_s) const {
+  if (!is_inside) {
+    zones.is_open = false;
+    return;
+  }
+  if (!zones.is_open) {
+    zones.zones.emplace_back();
+    zones.zones.back().from = place_of(move, from.fraction);
+    zones.is_open = true;
+    raise(zones.zones.back(), move, from);
+  }
+  Zone& zone = zones.zones.back();
+  zone.to = place_of(move, to.fraction);
+  zone.time_lost_s += lost_s;
+  raise(zone, move, to);
+}
+
+void Survey::raise(Zone& zone, const SurveyedMove& move, const Place& place) const {
+  const std::size_t axis = place.load.largest_axis();
+  const double ratio = place.load.ratio[axis];
+  if (ratio > zone.peak_ratio) {
+    zone.axis = axis;
+    zone.peak_ratio = ratio;
+    zone.peak_speed = std::abs(place.demand.rate[axis]) / move.time_s();
+  }
+  const double feed = move.feed_mm_min / std::max(1.0, ratio);
+  if (zone.lowest_feed_mm_min == 0.0 || feed < zone.lowest_feed_mm_min)
+    zone.lowest_feed_mm_min = feed;
+  for (const Singularity& each : singularities_) {
+    const double distance = kinematics::distance_rad(each, place.demand.axis);
+    if (!zone.closest || distance < zone.closest->distance_rad)
+      zone.closest = Approach{distance, each.kind, place_of(move, place.fraction)};
+  }
+}
+
+}  // namespace pentapost::analysis

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "pentapost/analysis/grid.hpp"
+#include "pentapost/kinematics/singularity.hpp"
+#include "pentapost/path/segment.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace pentapost::analysis {
+
+/// A place of the tool path.
+struct PathPlace {
+  std::uint32_t point = 0;    ///< end of the move that it lies on
+  std::uint32_t cl_line = 0;  ///< of that point
+  double s_mm = 0.0;          ///< length of the tip's path from the first point
+  Vec3 tip_wp_mm = Vec3::Zero();
+};
+
+/// Largest speed of an axis while the tip moves at the programmed feed.
+struct AxisPeak {
+  double speed = 0.0;  ///< mm/s or rad/s
+  double ratio = 0.0;  ///< over the limit; 0 where there is none
+  PathPlace at;
+};
+
+/// The place nearest to a singularity.
+struct Approach {
+  double distance_rad = 0.0;
+  kinematics::SingularityKind kind = kinematics::SingularityKind::pole;
+  PathPlace at;
+};
+
+/// A stretch where an axis is over its allowance: a singular zone, or a demand that is plainly too
+/// high.
+struct Zone {
+  std::size_t axis = 0;  ///< of the largest ratio
+  PathPlace from, to;
+  std::optional<Approach> closest;  ///< within the zone; nullopt: the machine has no singularity
+  double peak_speed = 0.0;          ///< of that axis, mm/s or rad/s
+  double peak_ratio = 0.0;
+  double lowest_feed_mm_min = 0.0;  ///< that the axes can hold all through the zone
+  double time_lost_s = 0.0;         ///< against the programmed feed, by the speed limits
+};
+
+/// A cutting move whose tip moves, as the survey takes it.
+struct SurveyedMove {
+  std::uint32_t point = 0, cl_line = 0;
+  double s_from_mm = 0.0, length_mm = 0.0;
+  double feed_mm_min = 0.0;
+  const path::Segment* segment = nullptr;  ///< in workpiece coordinates of the CL data
+  double time_s() const { return 60.0 * length_mm / feed_mm_min; }
+};
+
+/// Collects peaks, zones and times over the moves of a path, in order.
+class Survey {
+ public:
+  Survey(std::vector<kinematics::Singularity> singularities, const Allowance& allowance);
+
+  /// The places of one stretch of a move, as a Grid gives them.
+  void take(const SurveyedMove& move, const std::vector<Place>& places);
+  /// The path does not go on: the tool is repositioned.
+  void interrupt();
+
+  const std::array<AxisPeak, axis_count>& peaks() const { return peaks_; }
+  const std::optional<Approach>& closest() const { return closest_; }
+  const std::vector<Zone>& singular_zones() const { return singular_.zones; }
+  const std::vector<Zone>& plain_zones() const { return plain_.zones; }
+  double predicted_time_s() const { return predicted_time_s_; }
+
+ private:
+  struct Zones {
+    std::vector<Zone> zones;
+    bool is_open = false;
+  };
+
+  PathPlace place_of(const SurveyedMove& move, double fraction) const;
+  void take_place(const SurveyedMove& move, const Place& place);
+  void extend(Zones& zones, bool is_inside, const SurveyedMove& move, const Place& from,
+              const Place& to, double lost_s) const;
+  void raise(Zone& zone, const SurveyedMove& move, const Place& place) const;
+
+  std::vector<kinematics::Singularity> singularities_;
+  Allowance allowance_;
+  std::array<AxisPeak, axis_count> peaks_{};
+  std::optional<Approach> closest_;
+  Zones singular_, plain_;
+  double predicted_time_s_ = 0.0;
+};
+
+}  // namespace pentapost::analysis
