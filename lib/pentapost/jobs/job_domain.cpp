@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace pentapost::jobs {
 namespace {
@@ -34,10 +35,11 @@ Status check_domain(const PostJob& job) {
   for (const DomainRow& row : rows) {
     if (contains(row)) continue;
     const std::string largest = number_text(row.largest);
-    const std::string lower = row.positive ? "above 0" : "of at least -" + largest;
+    std::string message = "found " + number_text(row.found) + "; expected a number ";
+    message += row.positive ? "above 0" : "of at least -" + largest;
+    message += " and of at most " + largest;
     return Problem{.code = Code::out_of_domain,
-                   .message = "found " + number_text(row.found) + "; expected a number " + lower +
-                              " and of at most " + largest,
+                   .message = std::move(message),
                    .pointer = std::string{row.pointer}};
   }
   return ok();
