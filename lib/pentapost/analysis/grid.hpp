@@ -62,6 +62,7 @@ class Grid {
     if (!demand) demand = stretch_.at(fraction + inside_share * (middle - fraction));
     if (!demand) demand = stretch_.at(fraction - inside_share * (stretch_.to() - stretch_.from()));
     if (!demand) return std::nullopt;
+    demand->axis = stretch_.axis(fraction);
     return Place{fraction, *demand, load_of(*demand, time_s_, allowance_.limits)};
   }
 

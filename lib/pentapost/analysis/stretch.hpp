@@ -34,6 +34,7 @@ class ClStretch {
   double to() const { return ends_.fraction_to; }
   /// @return nullopt where the joints have no rates: at a singularity itself, out of reach.
   std::optional<Demand> at(double fraction) const;
+  Vec3 axis(double fraction) const { return segment_.axis(fraction); }
   /// Fractions inside where the tool axis is nearest to the first rotary axis or farthest from it:
   /// there the singularities are nearest.
   std::vector<double> turning_places() const;

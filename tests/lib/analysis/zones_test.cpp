@@ -1,0 +1,151 @@
+#include "pentapost/analysis/path_analysis.hpp"
+
+#include "machines/bundled.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace pentapost::analysis {
+namespace {
+
+using kinematics::SingularityKind;
+
+/// A cut of 1 mm steps along X on a bundled machine.
+struct Cut {
+  explicit Cut(const std::string& name) : machine{sample::bundled_machine(name)} {
+    settings.limits = machine.limits;
+    settings.preferences = machine.preferences;
+    path.add_event(1, path::FeedRate{.value = 2000.0});
+  }
+  void to(const Vec3& axis) {
+    const auto count = static_cast<std::uint32_t>(path.size());
+    path.add_point({static_cast<double>(count), 0.0, 0.0}, axis.normalized(), count + 2,
+                   count == 0 ? path::Move::rapid : path::Move::feed);
+  }
+  void limit(const std::string& axis, double deg_s) {
+    settings.limits[axis].max_speed = deg_s * rad_per_deg;
+  }
+  PathAnalysis analysed(double share = 1.0) const {
+    const kinematics::Model model{machine.chain};
+    const auto analysis =
+        analyse_path(model, plan::joint_ranges(machine.chain, model), path, settings, share);
+    EXPECT_TRUE(analysis) << analysis.error().message;
+    return analysis ? *analysis : PathAnalysis{};
+  }
+
+  machine::Definition machine;
+  plan::Settings settings;
+  path::ToolPath path;
+};
+
+/// Tool axis at `tilt_deg` from Z towards `azimuth_deg`.
+Vec3 tilted(double tilt_deg, double azimuth_deg) {
+  const double tilt = tilt_deg * rad_per_deg, azimuth = azimuth_deg * rad_per_deg;
+  return {std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth), std::cos(tilt)};
+}
+
+/// Past the highest tilt of a 45 deg nutating table, where K = 0: the tool axis all but horizontal.
+TEST(Zones, ANutatingTableHasOneAtTheBoundaryOfItsReach) {
+  Cut cut{"dmu-50-evolution"};
+  cut.limit("B", 150.0);
+  cut.limit("C", 150.0);
+  // dB / d(tilt) = sin(tilt) / (sin 45 deg sin 45 deg sin B); at 89.5 deg of tilt sin B = 0.186.
+  for (int i = 0; i <= 39; ++i) cut.to(tilted(70.0 + 0.5 * i, 20.0));
+  const PathAnalysis analysis = cut.analysed();
+  ASSERT_TRUE(analysis.closest);
+  EXPECT_EQ(analysis.closest->kind, SingularityKind::reach_boundary);
+  EXPECT_NEAR(analysis.closest->distance_rad * deg_per_rad, 0.5, 1e-6);
+  ASSERT_EQ(analysis.zones.size(), 1U);
+  const Zone& zone = analysis.zones[0];
+  EXPECT_EQ(zone.closest->kind, SingularityKind::reach_boundary);
+  EXPECT_EQ(zone.axis, second_axis);
+  const double k = std::cos(89.5 * rad_per_deg);
+  const double sine_b = std::sqrt(1.0 - (2.0 * k - 1.0) * (2.0 * k - 1.0));
+  const double tilt_deg_s = 0.5 * 2000.0 / 60.0;
+  EXPECT_NEAR(zone.peak_speed * deg_per_rad,
+              tilt_deg_s * std::sin(89.5 * rad_per_deg) / (0.5 * sine_b), 1e-3);
+  EXPECT_NEAR(zone.to.s_mm, 39.0, 1e-9);
+  EXPECT_TRUE(analysis.over_demands.empty());
+}
+
+TEST(Zones, AHeadHasOneAtItsPole) {
+  Cut cut{"generic-ca-head"};
+  cut.limit("A", 60.0);
+  cut.limit("C", 60.0);
+  for (int i = -10; i <= 10; ++i) cut.to({0.02 * i, 0.01, 1.0});
+  const PathAnalysis analysis = cut.analysed();
+  ASSERT_EQ(analysis.zones.size(), 1U);
+  EXPECT_EQ(analysis.zones[0].closest->kind, SingularityKind::pole);
+  EXPECT_EQ(analysis.zones[0].axis, first_axis);
+  EXPECT_NEAR(analysis.closest->distance_rad, std::atan(0.01), 1e-9);
+  // The great circle from point to point turns fastest half way: dC/dx = 0.02 / 0.01 per mm.
+  EXPECT_NEAR(analysis.peaks[first_axis].speed, 0.02 / 0.01 * 2000.0 / 60.0, 0.05);
+}
+
+TEST(Zones, AThreeAxisMachineHasNone) {
+  Cut cut{"generic-3axis"};
+  for (int i = 0; i < 5; ++i) cut.to(Vec3::UnitZ());
+  const PathAnalysis analysis = cut.analysed();
+  EXPECT_TRUE(analysis.singularities.empty());
+  EXPECT_TRUE(analysis.zones.empty());
+  EXPECT_FALSE(analysis.closest);
+  EXPECT_NEAR(analysis.peaks[0].speed, 2000.0 / 60.0, 1e-9);
+  EXPECT_NEAR(analysis.length_mm, 4.0, 1e-12);
+}
+
+/// On an orthogonal table C rests on the way straight through the pole.
+TEST(Zones, ExactlyThroughThePoleTheRatesAreFiniteAndCRests) {
+  Cut cut{"hermle-c600u"};
+  for (int i = -5; i <= 5; ++i) cut.to({0.0, 0.01 * i, 1.0});
+  const PathAnalysis analysis = cut.analysed();
+  ASSERT_TRUE(analysis.closest);
+  EXPECT_NEAR(analysis.closest->distance_rad, 0.0, 1e-12);
+  EXPECT_LT(analysis.peaks[first_axis].speed, 1e-6);
+  // dA/dx = 0.01 per mm at the pole.
+  EXPECT_NEAR(analysis.peaks[second_axis].speed, 0.01 * 2000.0 / 60.0, 1e-4);
+  EXPECT_TRUE(analysis.zones.empty());
+}
+
+/// The same between two points: the pole lies inside a move.
+TEST(Zones, ThroughThePoleBetweenTwoPointsToo) {
+  Cut cut{"hermle-c600u"};
+  for (int i = -5; i <= 4; ++i) cut.to({0.0, 0.01 * (i + 0.5), 1.0});
+  const PathAnalysis analysis = cut.analysed();
+  EXPECT_NEAR(analysis.closest->distance_rad, 0.0, 1e-9);
+  EXPECT_LT(analysis.peaks[first_axis].speed, 1e-6);
+  EXPECT_TRUE(analysis.zones.empty());
+}
+
+/// A tilt of 1 deg a mm far from the pole needs 33 deg/s of A whatever the amplification.
+TEST(Zones, APlainlyTooFastTiltIsNone) {
+  Cut cut{"hermle-c600u"};
+  cut.limit("A", 20.0);
+  for (int i = 0; i <= 10; ++i) cut.to(tilted(40.0 + i, 90.0));
+  const PathAnalysis analysis = cut.analysed();
+  EXPECT_TRUE(analysis.zones.empty());
+  ASSERT_EQ(analysis.over_demands.size(), 1U);
+  const Zone& over = analysis.over_demands[0];
+  EXPECT_EQ(over.axis, second_axis);
+  EXPECT_NEAR(over.peak_ratio, 2000.0 / 60.0 / 20.0, 1e-6);
+  EXPECT_NEAR(over.from.s_mm, 0.0, 1e-9);
+  EXPECT_NEAR(over.to.s_mm, 10.0, 1e-9);
+  // 10 deg at 20 deg/s
+  EXPECT_NEAR(analysis.predicted_time_s, 0.5, 1e-6);
+  EXPECT_NEAR(over.time_lost_s, 0.5 - 0.3, 1e-6);
+}
+
+TEST(Zones, AShareOfTheLimitWidensThem) {
+  Cut cut{"hermle-c600u"};
+  for (int i = -25; i <= 25; ++i) cut.to({0.01 * i, 0.02, 1.0});
+  const auto width = [&](double share) {
+    const PathAnalysis analysis = cut.analysed(share);
+    return analysis.zones.empty() ? 0.0 : analysis.zones[0].to.s_mm - analysis.zones[0].from.s_mm;
+  };
+  EXPECT_GT(width(0.1), width(0.2));
+  EXPECT_GT(width(0.2), 0.0);
+}
+
+}  // namespace
+}  // namespace pentapost::analysis
