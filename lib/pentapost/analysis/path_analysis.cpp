@@ -17,10 +17,10 @@ namespace {
 using plan::AxisPath;
 using plan::RotaryPair;
 
-/// The feed that the CL data set for the move to a point.
-class ProgrammedFeed {
+/// What the CL data have set for the move to a point.
+class Setting {
  public:
-  explicit ProgrammedFeed(const path::ToolPath& tool_path) : events_{tool_path.events} {}
+  explicit Setting(const path::ToolPath& tool_path) : events_{tool_path.events} {}
 
   /// Takes the events before the move to `point`.
   void advance_to(std::uint32_t point) {
@@ -30,6 +30,7 @@ class ProgrammedFeed {
       if (const auto* feed = std::get_if<path::FeedRate>(&what)) feed_ = *feed;
       if (const auto* spindle = std::get_if<path::Spindle>(&what); spindle && spindle->speed_rpm)
         speed_rpm_ = spindle->speed_rpm;
+      if (const auto* operation = std::get_if<path::Operation>(&what)) operation_ = operation;
       if (events_[next_].before_point == point)
         if (const auto* arc = std::get_if<path::Arc>(&what)) arc_ = arc;
     }
@@ -41,6 +42,7 @@ class ProgrammedFeed {
     return feed_->value * *speed_rpm_;
   }
   const path::Arc* arc() const { return arc_; }
+  const path::Operation* operation() const { return operation_; }  ///< nullptr: none yet
 
  private:
   const std::vector<path::Event>& events_;
@@ -48,6 +50,7 @@ class ProgrammedFeed {
   std::optional<path::FeedRate> feed_;
   std::optional<double> speed_rpm_;
   const path::Arc* arc_ = nullptr;
+  const path::Operation* operation_ = nullptr;
 };
 
 /// One sequence after the other.
@@ -61,9 +64,10 @@ class Walk {
         allowance_{allowance},
         analysis_{analysis},
         survey_{analysis.singularities, allowance},
-        feed_{tool_path} {}
+        setting_{tool_path} {}
 
-  Status run(const plan::Choice& choice, double gauge_length_mm) {
+  Status run(const plan::Choice& choice, int tool_number, double gauge_length_mm) {
+    tool_number_ = tool_number;
     axis_path_ = &choice.axis_path;
     slack_rad_ = choice.slack_rad;
     gauge_length_mm_ = gauge_length_mm;
@@ -71,12 +75,12 @@ class Walk {
     crossing_ = axis_path_->crossings.begin();
     survey_.interrupt();
     const std::uint32_t begin = axis_path_->range.begin;
-    feed_.advance_to(begin);
+    setting_.advance_to(begin);
     if (begin > 0) s_mm_ += (tip_mm(begin) - tip_mm(begin - 1)).norm();
     rotary_ = axis_path_->at(begin);
     depart(begin);
     for (std::uint32_t point = begin + 1; point < axis_path_->range.end; ++point) {
-      feed_.advance_to(point);
+      setting_.advance_to(point);
       if (auto status = move_to(point); !status) return status;
       rotary_ = axis_path_->at(point);
       depart(point);
@@ -107,7 +111,7 @@ class Walk {
 
   Status move_to(std::uint32_t point) {
     const path::Segment segment{tip_mm(point - 1), axis(point - 1), tip_mm(point), axis(point),
-                                feed_.arc()};
+                                setting_.arc()};
     const double s_from_mm = s_mm_;
     s_mm_ += segment.length_mm();
     if (tool_path_.move[point] == path::Move::rapid) {
@@ -120,7 +124,7 @@ class Walk {
       reposition(Repositioning::Kind::turn_in_place, point, axis_path_->at(point));
       return ok();
     }
-    const auto feed_mm_min = feed_.feed_mm_min();
+    const auto feed_mm_min = setting_.feed_mm_min();
     const std::uint32_t line = tool_path_.cl_line[point];
     if (!feed_mm_min)
       return Problem{.code = Code::no_feed,
@@ -133,10 +137,26 @@ class Walk {
                             .length_mm = segment.length_mm(),
                             .feed_mm_min = *feed_mm_min,
                             .segment = &segment};
+    const double before_s = survey_.predicted_time_s();
+    cut(move);
+    account(move, survey_.predicted_time_s() - before_s);
+    return ok();
+  }
+
+  void account(const SurveyedMove& move, double predicted_s) {
+    const path::Operation* operation = setting_.operation();
+    auto& operations = analysis_.operations;
+    if (operations.empty() || operation != timed_operation_ ||
+        operations.back().tool_number != tool_number_) {
+      operations.push_back(
+          {.tool_number = tool_number_, .operation = operation == nullptr ? "" : operation->name});
+      timed_operation_ = operation;
+    }
+    operations.back().length_mm += move.length_mm;
+    operations.back().programmed_time_s += move.time_s();
+    operations.back().predicted_time_s += predicted_s;
     analysis_.length_mm += move.length_mm;
     analysis_.programmed_time_s += move.time_s();
-    cut(move);
-    return ok();
   }
 
   bool crosses(std::uint32_t point) const {
@@ -220,7 +240,9 @@ class Walk {
   const Allowance& allowance_;
   PathAnalysis& analysis_;
   Survey survey_;
-  ProgrammedFeed feed_;
+  Setting setting_;
+  const path::Operation* timed_operation_ = nullptr;
+  int tool_number_ = 1;
   const AxisPath* axis_path_ = nullptr;
   double slack_rad_ = 0.0, gauge_length_mm_ = 0.0;
   std::vector<AxisPath::Departure>::const_iterator departure_;
@@ -260,7 +282,8 @@ Result<PathAnalysis> analyse_path(const kinematics::Model& model, const plan::Jo
     const auto choice = plan::choose(model, ranges, tool_path, sequence.range, settings, gauge_mm,
                                      settings.origin_known && gauge_known);
     if (!choice) return choice.error();
-    if (auto status = walk.run(*choice, gauge_mm); !status) return std::move(status).error();
+    if (auto status = walk.run(*choice, sequence.tool_number, gauge_mm); !status)
+      return std::move(status).error();
   }
   walk.finish();
   return analysis;

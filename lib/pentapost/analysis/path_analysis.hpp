@@ -7,7 +7,9 @@
 #include "pentapost/plan/branches.hpp"
 #include "pentapost/plan/settings.hpp"
 
+#include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace pentapost::analysis {
@@ -20,6 +22,14 @@ struct Repositioning {
   std::optional<double> time_s;  ///< by the axis limits; nullopt: no moving axis has one
 };
 
+/// Cutting time of one operation with one tool.
+struct OperationTime {
+  int tool_number = 1;
+  std::string operation;  ///< as the CL data name it; empty: before the first name
+  double length_mm = 0.0;
+  double programmed_time_s = 0.0, predicted_time_s = 0.0;
+};
+
 /// What a tool path asks of a machine's axes at the programmed feed.
 struct PathAnalysis {
   std::vector<kinematics::Singularity> singularities;  ///< in workpiece coordinates of the setup
@@ -28,9 +38,10 @@ struct PathAnalysis {
   std::vector<Zone> zones;                             ///< caused by a singularity
   std::vector<Zone> over_demands;                      ///< not caused by one
   std::vector<Repositioning> repositionings;
-  double length_mm = 0.0;          ///< of the tip's way over all cutting moves
-  double programmed_time_s = 0.0;  ///< of these at the programmed feed
-  double predicted_time_s = 0.0;   ///< of these, slowed down to the speed limits
+  double length_mm = 0.0;                 ///< of the tip's way over all cutting moves
+  double programmed_time_s = 0.0;         ///< of these at the programmed feed
+  double predicted_time_s = 0.0;          ///< of these, slowed down to the speed limits
+  std::vector<OperationTime> operations;  ///< in order; those that cut
 };
 
 /// Limits by the order of the model's axes, from those of the settings.

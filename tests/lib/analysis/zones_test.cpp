@@ -136,6 +136,29 @@ TEST(Zones, APlainlyTooFastTiltIsNone) {
   EXPECT_NEAR(over.time_lost_s, 0.5 - 0.3, 1e-6);
 }
 
+TEST(Times, AreGivenByToolAndOperation) {
+  Cut cut{"hermle-c600u"};
+  cut.path.add_event(1, path::Operation{"ROUGH"});
+  cut.to(Vec3::UnitZ());
+  cut.to(Vec3::UnitZ());
+  cut.path.add_event(3, path::Operation{"FINISH"});
+  cut.to(Vec3::UnitZ());
+  cut.path.add_event(4, path::ToolChange{.number = 7});
+  cut.to(Vec3::UnitZ());
+  cut.to(Vec3::UnitZ());
+  const auto operations = cut.analysed().operations;
+  ASSERT_EQ(operations.size(), 3U);
+  EXPECT_EQ(operations[0].operation, "ROUGH");
+  EXPECT_EQ(operations[1].operation, "FINISH");
+  EXPECT_EQ(operations[1].tool_number, 1);
+  EXPECT_EQ(operations[2].tool_number, 7);
+  for (const OperationTime& each : operations) {
+    EXPECT_NEAR(each.length_mm, 1.0, 1e-12);
+    EXPECT_NEAR(each.programmed_time_s, 0.03, 1e-12);
+    EXPECT_NEAR(each.predicted_time_s, 0.03, 1e-9);
+  }
+}
+
 TEST(Zones, AShareOfTheLimitWidensThem) {
   Cut cut{"hermle-c600u"};
   for (int i = -25; i <= 25; ++i) cut.to({0.01 * i, 0.02, 1.0});
