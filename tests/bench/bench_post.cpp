@@ -125,6 +125,15 @@ void add_whole_post(std::size_t points, const Target& target) {
   });
 }
 
+void add_whole_analysis(std::size_t points, const Target& target) {
+  add("whole_analysis", points, target.words, [target](std::size_t size) {
+    return [stages = std::make_shared<Stages>(cl_of(size), target), &cl = cl_of(size)] {
+      benchmark::DoNotOptimize(stages->read_and_analyse(cl));
+      return std::size_t{0};
+    };
+  });
+}
+
 void add_all() {
   for (const std::size_t points : sizes) {
     for (const int words : {5, 6, 7}) add_floor(points, words);
@@ -133,6 +142,7 @@ void add_all() {
     add_stage("inverse", points, usual, &Stages::invert);
     add_stage("choice", points, usual, &Stages::choose);
     add_stage("choice/all_solutions", points, usual, &Stages::search_branches);
+    add_whole_analysis(points, usual);
     for (const Target& target : targets) {
       add_stage("plan/" + name_of(target), points, target, &Stages::plan);
       add_format(points, target);

@@ -1,5 +1,6 @@
 #include "stages.hpp"
 
+#include "pentapost/analysis/path_analysis.hpp"
 #include "pentapost/cl/reader.hpp"
 #include "pentapost/kinematics/inverse.hpp"
 #include "pentapost/nc/dialect.hpp"
@@ -133,6 +134,12 @@ std::size_t Stages::plan() const {
 
 void Stages::make_motion() {
   motion_ = taken(plan::plan_program(model_, joint_ranges_, path_, settings_)).motion;
+}
+
+std::size_t Stages::read_and_analyse(const std::string& cl) const {
+  const auto analysis =
+      taken(analysis::analyse_path(model_, joint_ranges_, read_path(cl), settings_, 1.0));
+  return analysis.zones.size();
 }
 
 void Stages::format(std::string& out) const {

@@ -52,6 +52,8 @@ class Stages {
   std::size_t search_branches() const;
   /// Choice, linearisation and feeds. @return the count of blocks.
   std::size_t plan() const;
+  /// Reads the CL text and analyses its path. @return the count of zones.
+  std::size_t read_and_analyse(const std::string& cl) const;
   /// The program's text into `out`.
   void format(std::string& out) const;
   /// Reads the program's text and proves it. @return the count of blocks.

@@ -18,18 +18,15 @@ using PerAxis = std::array<double, axis_count>;
 /// What one place of a move asks of the axes. Rates per unit of the move's fraction, signed.
 struct Demand {
   PerAxis rate{};
-  /// The part that the tool's motion asks for: both rotary rates taken times amplification^-1, and
-  /// the linear rates that go with those.
-  PerAxis asked{};
   /// |sin B| of the triangle: the singularity multiplies the rotary rates by its inverse. 1 where
   /// there is no triangle, 0 at a singularity.
   double opening_sine = 1.0;
   Vec3 axis = Vec3::UnitZ();  ///< tool axis, table frame
 };
 
-/// Demand where the joints have these rotary rates.
+/// Rates of all axes where the rotary joints have these.
 /// @return nullopt where the linear axes do not span space.
-std::optional<Demand> demand_of(const kinematics::JointMotion& motion, const Vec3& tip_rate_mm,
+std::optional<PerAxis> rates_of(const kinematics::JointMotion& motion, const Vec3& tip_rate_mm,
                                 double first_rad, double second_rad);
 
 /// Limits of the axes; nullopt: no source gives one, and none is held.
@@ -37,8 +34,10 @@ using SpeedLimits = std::array<std::optional<double>, axis_count>;
 
 /// A demand against the limits, for a move that takes `time_s` at the programmed feed.
 struct Load {
-  PerAxis ratio{};        ///< speed over limit; 0 where there is no limit
-  PerAxis asked_ratio{};  ///< the same of Demand::asked
+  PerAxis ratio{};  ///< speed over limit; 0 where there is no limit
+  /// The same of what the tool's motion asks for: both rotary rates divided by the amplification,
+  /// and the linear rates that go with those. 0 where no axis is over its share.
+  PerAxis asked_ratio{};
   double largest() const;
   std::size_t largest_axis() const;
   /// Whether an axis is over `share` of its limit, and would not be without the amplification.
@@ -46,6 +45,7 @@ struct Load {
   /// Whether an axis is over `share` of its limit by what the tool's motion asks for alone.
   bool is_plainly_over(double share) const;
 };
-Load load_of(const Demand& demand, double time_s, const SpeedLimits& limits);
+/// Rates over limits.
+PerAxis ratios_of(const PerAxis& rate, double time_s, const SpeedLimits& limits);
 
 }  // namespace pentapost::analysis

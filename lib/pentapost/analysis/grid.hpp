@@ -57,13 +57,21 @@ class Grid {
   static constexpr double inside_share = 1e-6;
 
   std::optional<Place> at(double fraction) const {
-    auto demand = stretch_.at(fraction);
+    const double length = stretch_.to() - stretch_.from();
     const double middle = 0.5 * (stretch_.from() + stretch_.to());
-    if (!demand) demand = stretch_.at(fraction + inside_share * (middle - fraction));
-    if (!demand) demand = stretch_.at(fraction - inside_share * (stretch_.to() - stretch_.from()));
-    if (!demand) return std::nullopt;
-    demand->axis = stretch_.axis(fraction);
-    return Place{fraction, *demand, load_of(*demand, time_s_, allowance_.limits)};
+    for (const double there : {fraction, fraction + inside_share * (middle - fraction),
+                               fraction - inside_share * length}) {
+      const auto demand = stretch_.at(there);
+      if (!demand) continue;
+      Place place{fraction, *demand, {}};
+      place.demand.axis = stretch_.axis(fraction);
+      place.load.ratio = ratios_of(demand->rate, time_s_, allowance_.limits);
+      if (place.load.largest() > allowance_.share)
+        place.load.asked_ratio =
+            ratios_of(stretch_.asked(there, *demand), time_s_, allowance_.limits);
+      return place;
+    }
+    return std::nullopt;
   }
 
   void divide(const Place& from, const Place& to, int level, std::vector<Place>& places) const {

@@ -22,13 +22,10 @@ ClStretch::ClStretch(const kinematics::Model& model, const path::Segment& segmen
       origin_mm_{origin_mm},
       slack_rad_{slack_rad} {}
 
-std::optional<Demand> ClStretch::at(double fraction) const {
+std::optional<Joints> ClStretch::joints(double fraction) const {
   Joints joints;
-  double first_rate_rad = 0.0;
   if (follows_ == Follows::rest) {
-    const double length = ends_.fraction_to - ends_.fraction_from;
-    first_rate_rad = (ends_.first_to_rad - ends_.first_from_rad) / length;
-    joints.first_rad = ends_.first_from_rad + (fraction - ends_.fraction_from) * first_rate_rad;
+    joints.first_rad = ends_.first_from_rad + (fraction - ends_.fraction_from) * rest_rate_rad();
     joints.second_rad = ends_.second_rad;
   } else {
     const auto found = kinematics::inverse_rotary(model_, segment_.axis(fraction), slack_rad_);
@@ -42,12 +39,40 @@ std::optional<Demand> ClStretch::at(double fraction) const {
                                  joints.second_rad, gauge_length_mm_);
   if (!linear) return std::nullopt;
   joints.linear_mm = *linear;
-  const JointMotion motion{model_, joints, gauge_length_mm_};
+  return joints;
+}
+
+double ClStretch::rest_rate_rad() const {
+  return (ends_.first_to_rad - ends_.first_from_rad) / (ends_.fraction_to - ends_.fraction_from);
+}
+
+std::optional<Demand> ClStretch::at(double fraction) const {
+  const auto at = joints(fraction);
+  if (!at) return std::nullopt;
+  const JointMotion motion{model_, *at, gauge_length_mm_};
+  Demand demand{.opening_sine = std::abs(motion.opening_sine()), .axis = motion.axis()};
   const Vec3 tip_rate_mm = segment_.tip_rate_mm(fraction);
-  if (follows_ == Follows::rest) return demand_of(motion, tip_rate_mm, first_rate_rad, 0.0);
+  if (follows_ == Follows::rest) {
+    const auto rate = rates_of(motion, tip_rate_mm, rest_rate_rad(), 0.0);
+    if (!rate) return std::nullopt;
+    demand.rate = *rate;
+    return demand;
+  }
   const auto rates = motion.rates({tip_rate_mm, segment_.axis_rate(fraction)});
   if (!rates) return std::nullopt;
-  return demand_of(motion, tip_rate_mm, rates->first_rad, rates->second_rad);
+  const Vec3& linear = rates->linear_mm;
+  demand.rate = {linear.x(), linear.y(), linear.z(), rates->first_rad, rates->second_rad};
+  return demand;
+}
+
+PerAxis ClStretch::asked(double fraction, const Demand& demand) const {
+  const auto at = joints(fraction);
+  if (!at) return demand.rate;
+  const JointMotion motion{model_, *at, gauge_length_mm_};
+  const auto rates = rates_of(motion, segment_.tip_rate_mm(fraction),
+                              demand.opening_sine * demand.rate[first_axis],
+                              demand.opening_sine * demand.rate[second_axis]);
+  return rates ? *rates : demand.rate;
 }
 
 double ClStretch::relative_change(const Demand& from, const Demand& to, double length) const {

@@ -34,6 +34,9 @@ class ClStretch {
   double to() const { return ends_.fraction_to; }
   /// @return nullopt where the joints have no rates: at a singularity itself, out of reach.
   std::optional<Demand> at(double fraction) const;
+  /// Rates that the tool's motion asks for by itself: both rotary rates of `demand`, which is of
+  /// the same fraction, divided by the amplification.
+  PerAxis asked(double fraction, const Demand& demand) const;
   Vec3 axis(double fraction) const { return segment_.axis(fraction); }
   /// Fractions inside where the tool axis is nearest to the first rotary axis or farthest from it:
   /// there the singularities are nearest.
@@ -43,6 +46,9 @@ class ClStretch {
   double relative_change(const Demand& from, const Demand& to, double length) const;
 
  private:
+  std::optional<kinematics::Joints> joints(double fraction) const;
+  double rest_rate_rad() const;  ///< of the first joint
+
   const kinematics::Model& model_;
   const path::Segment& segment_;
   Follows follows_;

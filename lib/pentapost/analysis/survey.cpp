@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace pentapost::analysis {
 
 using kinematics::Singularity;
 
-Survey::Survey(std::vector<Singularity> singularities, const Allowance& allowance)
-    : singularities_{std::move(singularities)}, allowance_{allowance} {}
+Survey::Survey(const std::vector<Singularity>& singularities, const Allowance& allowance)
+    : allowance_{allowance} {
+  for (const Singularity& each : singularities) watched_.push_back({.singularity = each});
+}
 
 PathPlace Survey::place_of(const SurveyedMove& move, double fraction) const {
   return {.point = move.point,
@@ -48,10 +49,23 @@ void Survey::take_place(const SurveyedMove& move, const Place& place) {
     if (speed > peaks_[i].speed)
       peaks_[i] = {speed, place.load.ratio[i], place_of(move, place.fraction)};
   }
-  for (const Singularity& each : singularities_) {
-    const double distance = kinematics::distance_rad(each, place.demand.axis);
-    if (!closest_ || distance < closest_->distance_rad)
-      closest_ = Approach{distance, each.kind, place_of(move, place.fraction)};
+  approach(move, place);
+}
+
+// Nearly all places are told by one product to be no nearer than the nearest so far.
+void Survey::approach(const SurveyedMove& move, const Place& place) {
+  constexpr double rounding = 1e-15;
+  for (const Watched& each : watched_) {
+    const double cosine = each.singularity.centre.dot(place.demand.axis);
+    if (!(cosine > each.least_cosine && cosine < each.most_cosine)) continue;
+    const double distance = kinematics::distance_rad(each.singularity, place.demand.axis);
+    if (closest_ && distance >= closest_->distance_rad) continue;
+    closest_ = Approach{distance, each.singularity.kind, place_of(move, place.fraction)};
+    for (Watched& other : watched_) {
+      const double half = other.singularity.half_angle_rad;
+      other.least_cosine = half + distance < pi ? std::cos(half + distance) - rounding : -2.0;
+      other.most_cosine = half > distance ? std::cos(half - distance) + rounding : 2.0;
+    }
   }
 }
 
@@ -84,10 +98,10 @@ void Survey::raise(Zone& zone, const SurveyedMove& move, const Place& place) con
   const double feed = move.feed_mm_min / std::max(1.0, ratio);
   if (zone.lowest_feed_mm_min == 0.0 || feed < zone.lowest_feed_mm_min)
     zone.lowest_feed_mm_min = feed;
-  for (const Singularity& each : singularities_) {
-    const double distance = kinematics::distance_rad(each, place.demand.axis);
+  for (const Watched& each : watched_) {
+    const double distance = kinematics::distance_rad(each.singularity, place.demand.axis);
     if (!zone.closest || distance < zone.closest->distance_rad)
-      zone.closest = Approach{distance, each.kind, place_of(move, place.fraction)};
+      zone.closest = Approach{distance, each.singularity.kind, place_of(move, place.fraction)};
   }
 }
 

@@ -57,7 +57,7 @@ struct SurveyedMove {
 /// Collects peaks, zones and times over the moves of a path, in order.
 class Survey {
  public:
-  Survey(std::vector<kinematics::Singularity> singularities, const Allowance& allowance);
+  Survey(const std::vector<kinematics::Singularity>& singularities, const Allowance& allowance);
 
   /// The places of one stretch of a move, as a Grid gives them.
   void take(const SurveyedMove& move, const std::vector<Place>& places);
@@ -77,12 +77,19 @@ class Survey {
   };
 
   PathPlace place_of(const SurveyedMove& move, double fraction) const;
+  /// A singularity, and the cosines between which a tool axis is nearer to one than closest_.
+  struct Watched {
+    kinematics::Singularity singularity;
+    double least_cosine = -2.0, most_cosine = 2.0;
+  };
+
+  void approach(const SurveyedMove& move, const Place& place);
   void take_place(const SurveyedMove& move, const Place& place);
   void extend(Zones& zones, bool is_inside, const SurveyedMove& move, const Place& from,
               const Place& to, double lost_s) const;
   void raise(Zone& zone, const SurveyedMove& move, const Place& place) const;
 
-  std::vector<kinematics::Singularity> singularities_;
+  std::vector<Watched> watched_;
   Allowance allowance_;
   std::array<AxisPeak, axis_count> peaks_{};
   std::optional<Approach> closest_;
