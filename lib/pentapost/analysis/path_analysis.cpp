@@ -166,24 +166,27 @@ class Walk {
   void cut(const SurveyedMove& move) {
     using Follows = ClStretch::Follows;
     const RotaryPair& arrival = axis_path_->at(move.point);
+    const auto ends = [](double from, double to, const RotaryPair& before,
+                         const RotaryPair& after) {
+      return ClStretch::Ends{
+          from, to, before.first_rad, after.first_rad, before.second_rad, after.second_rad};
+    };
     if (crosses(move.point)) {
       const AxisPath::Crossing& crossing = *crossing_++;
-      survey(move, Follows::branch, crossing.branch_before, {.fraction_to = crossing.fraction});
+      survey(move, Follows::branch, crossing.branch_before,
+             ends(0.0, crossing.fraction, rotary_, crossing.before));
       if (!(crossing.before == crossing.after)) {
         rotary_ = crossing.before;
         reposition(Repositioning::Kind::turn_in_place, move.point, crossing.after);
       }
-      survey(move, Follows::branch, crossing.branch_after, {.fraction_from = crossing.fraction});
+      survey(move, Follows::branch, crossing.branch_after,
+             ends(crossing.fraction, 1.0, crossing.after, arrival));
       return;
     }
     const std::uint8_t branch = axis_path_->branch[move.point - axis_path_->range.begin];
-    if (branch == AxisPath::at_rest)
-      survey(move, Follows::rest, 0,
-             {.first_from_rad = rotary_.first_rad,
-              .first_to_rad = arrival.first_rad,
-              .second_rad = arrival.second_rad});
-    else
-      survey(move, Follows::branch, branch, {});
+    const bool rests = branch == AxisPath::at_rest;
+    survey(move, rests ? Follows::rest : Follows::branch, rests ? 0 : branch,
+           ends(0.0, 1.0, rotary_, arrival));
   }
 
   void survey(const SurveyedMove& move, ClStretch::Follows follows, int branch,

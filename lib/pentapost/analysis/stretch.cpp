@@ -24,9 +24,15 @@ ClStretch::ClStretch(const kinematics::Model& model, const path::Segment& segmen
 
 std::optional<Joints> ClStretch::joints(double fraction) const {
   Joints joints;
-  if (follows_ == Follows::rest) {
+  if (fraction == ends_.fraction_from) {
+    joints.first_rad = ends_.first_from_rad;
+    joints.second_rad = ends_.second_from_rad;
+  } else if (fraction == ends_.fraction_to) {
+    joints.first_rad = ends_.first_to_rad;
+    joints.second_rad = ends_.second_to_rad;
+  } else if (follows_ == Follows::rest) {
     joints.first_rad = ends_.first_from_rad + (fraction - ends_.fraction_from) * rest_rate_rad();
-    joints.second_rad = ends_.second_rad;
+    joints.second_rad = ends_.second_from_rad;
   } else {
     const auto found = kinematics::inverse_rotary(model_, segment_.axis(fraction), slack_rad_);
     if (found.count == 0) return std::nullopt;
@@ -87,6 +93,10 @@ std::vector<double> ClStretch::turning_places() const {
   std::vector<double> places;
   const double turn = segment_.axis_angle_rad();
   if (follows_ == Follows::rest || turn == 0.0 || model_.rotary_count < 2) return places;
+  // Of less than half a turn, one whose ends are approached in the same sense has none.
+  const Vec3 normal = segment_.axis_from().cross(segment_.axis_to());
+  const bool comes_nearer = model_.a.dot(normal.cross(segment_.axis_from())) > 0.0;
+  if (comes_nearer == (model_.a.dot(normal.cross(segment_.axis_to())) > 0.0)) return places;
   const Vec3 along = segment_.axis_rate(0.0) / turn;
   const double nearest = std::atan2(model_.a.dot(along), model_.a.dot(segment_.axis_from()));
   for (const double angle : {nearest, nearest + pi, nearest - pi})

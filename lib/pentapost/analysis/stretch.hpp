@@ -17,10 +17,11 @@ class ClStretch {
     branch,  ///< the rotary joints follow the tool axis on one solution
     rest,    ///< the tool axis rests at the pole while the first joint turns evenly
   };
+  /// Both ends, with the rotary values there.
   struct Ends {
     double fraction_from = 0.0, fraction_to = 1.0;
-    double first_from_rad = 0.0, first_to_rad = 0.0;  ///< of Follows::rest
-    double second_rad = 0.0;                          ///< of Follows::rest
+    double first_from_rad = 0.0, first_to_rad = 0.0;
+    double second_from_rad = 0.0, second_to_rad = 0.0;
   };
 
   /// @param segment  in the table's orientation; from or to the pole itself where it is passed.
