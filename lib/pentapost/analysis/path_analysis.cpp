@@ -74,6 +74,7 @@ class Walk {
     departure_ = axis_path_->departures.begin();
     crossing_ = axis_path_->crossings.begin();
     survey_.interrupt();
+    met_.reset();
     const std::uint32_t begin = axis_path_->range.begin;
     setting_.advance_to(begin);
     if (begin > 0) s_mm_ += (tip_mm(begin) - tip_mm(begin - 1)).norm();
@@ -191,10 +192,27 @@ class Walk {
 
   void survey(const SurveyedMove& move, ClStretch::Follows follows, int branch,
               const ClStretch::Ends& ends) {
-    const ClStretch stretch{model_,           *move.segment,       follows,   branch, ends,
-                            gauge_length_mm_, settings_.origin_mm, slack_rad_};
+    // Stretches that follow each other share the joints' motion where they meet.
+    const bool goes_on = met_ && met_first_rad_ == ends.first_from_rad &&
+                         met_second_rad_ == ends.second_from_rad && met_s_mm_ == move.s_from_mm &&
+                         ends.fraction_from == 0.0;
+    const ClStretch stretch{model_,
+                            *move.segment,
+                            follows,
+                            branch,
+                            ends,
+                            gauge_length_mm_,
+                            settings_.origin_mm,
+                            slack_rad_,
+                            goes_on ? &*met_ : nullptr};
     Grid{stretch, move.time_s(), allowance_}.fill(places_);
     survey_.take(move, places_);
+    met_.reset();
+    if (!stretch.at_end() || ends.fraction_to != 1.0) return;
+    met_.emplace(*stretch.at_end());
+    met_first_rad_ = ends.first_to_rad;
+    met_second_rad_ = ends.second_to_rad;
+    met_s_mm_ = s_mm_;
   }
 
   /// At a point the path may go on with other rotary values than it came with.
@@ -253,6 +271,8 @@ class Walk {
   RotaryPair rotary_;
   double s_mm_ = 0.0;
   std::vector<Place> places_;
+  std::optional<kinematics::JointMotion> met_;
+  double met_first_rad_ = 0.0, met_second_rad_ = 0.0, met_s_mm_ = 0.0;
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ using kinematics::Joints;
 
 ClStretch::ClStretch(const kinematics::Model& model, const path::Segment& segment, Follows follows,
                      int branch, const Ends& ends, double gauge_length_mm, const Vec3& origin_mm,
-                     double slack_rad)
+                     double slack_rad, const JointMotion* at_start)
     : model_{model},
       segment_{segment},
       follows_{follows},
@@ -20,7 +20,8 @@ ClStretch::ClStretch(const kinematics::Model& model, const path::Segment& segmen
       ends_{ends},
       gauge_length_mm_{gauge_length_mm},
       origin_mm_{origin_mm},
-      slack_rad_{slack_rad} {}
+      slack_rad_{slack_rad},
+      at_start_{at_start} {}
 
 std::optional<Joints> ClStretch::joints(double fraction) const {
   Joints joints;
@@ -52,10 +53,20 @@ double ClStretch::rest_rate_rad() const {
   return (ends_.first_to_rad - ends_.first_from_rad) / (ends_.fraction_to - ends_.fraction_from);
 }
 
-std::optional<Demand> ClStretch::at(double fraction) const {
+const JointMotion* ClStretch::motion(double fraction) const {
+  if (at_start_ != nullptr && fraction == ends_.fraction_from) return at_start_;
+  const bool is_end = fraction == ends_.fraction_to;
+  if (is_end && at_end_) return &*at_end_;
   const auto at = joints(fraction);
-  if (!at) return std::nullopt;
-  const JointMotion motion{model_, *at, gauge_length_mm_};
+  if (!at) return nullptr;
+  auto& place = is_end ? at_end_ : inside_;
+  return &place.emplace(model_, *at, gauge_length_mm_);
+}
+
+std::optional<Demand> ClStretch::at(double fraction) const {
+  const JointMotion* const found = motion(fraction);
+  if (found == nullptr) return std::nullopt;
+  const JointMotion& motion = *found;
   Demand demand{.opening_sine = std::abs(motion.opening_sine()), .axis = motion.axis()};
   const Vec3 tip_rate_mm = segment_.tip_rate_mm(fraction);
   if (follows_ == Follows::rest) {
@@ -72,10 +83,9 @@ std::optional<Demand> ClStretch::at(double fraction) const {
 }
 
 PerAxis ClStretch::asked(double fraction, const Demand& demand) const {
-  const auto at = joints(fraction);
-  if (!at) return demand.rate;
-  const JointMotion motion{model_, *at, gauge_length_mm_};
-  const auto rates = rates_of(motion, segment_.tip_rate_mm(fraction),
+  const JointMotion* const found = motion(fraction);
+  if (found == nullptr) return demand.rate;
+  const auto rates = rates_of(*found, segment_.tip_rate_mm(fraction),
                               demand.opening_sine * demand.rate[first_axis],
                               demand.opening_sine * demand.rate[second_axis]);
   return rates ? *rates : demand.rate;
