@@ -1,7 +1,9 @@
+#include "pentapost/jobs/analyse.hpp"
 #include "pentapost/jobs/post.hpp"
 #include "pentapost/nc/dialect.hpp"
 #include "server/commands.hpp"
 #include "server/dialect_names.hpp"
+#include "server/json/analysis_json.hpp"
 #include "server/json/job_json.hpp"
 #include "server/json/problem_json.hpp"
 #include "server/json/report_json.hpp"
@@ -10,7 +12,9 @@
 
 #include <array>
 #include <cstddef>
+#include <initializer_list>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -19,31 +23,39 @@
 namespace pentapost::server {
 namespace {
 
-std::optional<JobParts> parts_of(const PostFileOptions& options) {
+using Word = std::pair<const char*, const std::optional<std::string>&>;
+
+/// @param own_words  that the command has beside those of every job.
+std::optional<JobParts> parts_of(const JobFileOptions& options,
+                                 std::initializer_list<Word> own_words) {
   JobParts parts;
   if (!options.job.empty() && !(parts.json = read_file(options.job))) return std::nullopt;
   if (!options.file.empty() && !(parts.cl = read_file(options.file))) return std::nullopt;
   if (options.file != "-") parts.cl_file_name = options.file;
-  const auto add = [&parts](const char* name, const std::optional<std::string>& value) {
-    if (value) parts.words.emplace_back(name, *value);
+  const auto add = [&parts](const Word& word) {
+    if (word.second) parts.words.emplace_back(word.first, *word.second);
   };
-  add("machine", options.machine);
-  add("output", options.output);
-  add("dialect", options.dialect);
-  add("tip_mm", options.tip_mm);
-  add("axis_deg", options.axis_deg);
-  add("cl_units", options.cl_units);
-  add("program_name", options.program_name);
+  add({"machine", options.machine});
+  add({"tip_mm", options.tip_mm});
+  add({"axis_deg", options.axis_deg});
+  add({"cl_units", options.cl_units});
+  for (const Word& word : own_words) add(word);
   return parts;
 }
 
 /// What is wrong with the use of the command; empty: nothing.
-std::string misuse_of(const PostFileOptions& options) {
+std::string misuse_of(const JobFileOptions& options) {
   if (options.file.empty() && options.job.empty()) return "give FILE or - for standard input";
   if (!options.machine && options.job.empty())
     return "give --machine NAME; the command pentapost machines lists them";
   if (options.file == "-" && options.job == "-")
     return "FILE and --job cannot both be standard input";
+  return {};
+}
+
+std::string misuse_of(const PostFileOptions& options) {
+  if (auto misuse = misuse_of(static_cast<const JobFileOptions&>(options)); !misuse.empty())
+    return misuse;
   const auto standard = [](const std::string& name) { return name == "-" ? std::string{} : name; };
   const std::array<std::pair<std::string_view, std::string>, 4> files{
       {{"FILE", standard(options.file)},
@@ -65,7 +77,7 @@ ExitCode exit_code_of(Code code) {
   return status == 422 ? exit_not_possible : exit_bad_input;
 }
 
-/// Says on stderr, or in the report's file, why there is no program.
+/// Says on stderr, or in the report's file, why there is no answer.
 ExitCode fail(const Problem& problem, const std::string& report) {
   TextOutput output{report, std::cerr, problem_response(problem, "").body + '\n'};
   if (!output.prepare() || !output.finish()) return exit_input_output;
@@ -90,12 +102,14 @@ ExitCode run(const PostFileOptions& options) {
     std::cerr << "pentapost post: " << misuse << '\n';
     return exit_usage;
   }
-  auto parts = parts_of(options);
+  auto parts = parts_of(options, {{"output", options.output},
+                                  {"dialect", options.dialect},
+                                  {"program_name", options.program_name}});
   if (!parts) return exit_input_output;
   const auto machines = load_library(machine_folder(options.machines), options.skip_bad_machines);
   if (!machines) return exit_input_output;
   const auto dialects = dialect_names();
-  const auto job = read_job(std::move(*parts), {.machines = *machines, .dialects = dialects});
+  const auto job = read_post_job(std::move(*parts), {.machines = *machines, .dialects = dialects});
   if (!job) return fail(job.error(), options.report);
   auto report = jobs::post(*job);
   if (!report) return fail(placed_in_request(report.error(), *job, *machines), options.report);
@@ -104,6 +118,25 @@ ExitCode run(const PostFileOptions& options) {
   const bool written = report_output.prepare() && program_output.prepare() &&
                        program_output.finish() && report_output.finish();
   return written ? exit_ok : exit_input_output;
+}
+
+ExitCode run(const AnalyseFileOptions& options) {
+  if (const auto misuse = misuse_of(options); !misuse.empty()) {
+    std::cerr << "pentapost analyse: " << misuse << '\n';
+    return exit_usage;
+  }
+  auto parts = parts_of(options, {{"zone_share", options.zone_share}});
+  if (!parts) return exit_input_output;
+  const auto machines = load_library(machine_folder(options.machines), options.skip_bad_machines);
+  if (!machines) return exit_input_output;
+  const auto dialects = dialect_names();
+  const auto job =
+      read_analyse_job(std::move(*parts), {.machines = *machines, .dialects = dialects});
+  if (!job) return fail(job.error(), {});
+  const auto report = jobs::analyse(*job);
+  if (!report) return fail(placed_in_request(report.error(), job->job, *machines), {});
+  TextOutput output{{}, std::cout, analysis_json(*report) + '\n'};
+  return output.prepare() && output.finish() ? exit_ok : exit_input_output;
 }
 
 ExitCode run(const MachinesOptions& options) {

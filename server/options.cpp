@@ -63,33 +63,46 @@ CLI::App* add_serve(CLI::App& app, ServeOptions& options) {
   return command;
 }
 
+void add_job(CLI::App& command, JobFileOptions& options) {
+  command.add_option("FILE", options.file,
+                     "CL file; -: standard input. Needed unless the job has its own path");
+  command
+      .add_option("--machine", options.machine,
+                  "NAME or NAME@VERSION. Needed unless the job has it")
+      ->envname("PENTAPOST_MACHINE");
+  add_machines(command, options.machines);
+  add_skip(command, options.skip_bad_machines);
+  command.add_option("--tip-mm", options.tip_mm,
+                     "Tolerance of the tool tip, at most 1 [default: 0.01]");
+  command.add_option("--axis-deg", options.axis_deg,
+                     "Tolerance of the tool axis, at most 5 [default: 0.05]");
+  command.add_option("--cl-units", options.cl_units, "mm or inch [default: as the file]");
+  command.add_option("--job", options.job, "The other keys of a job, as JSON [default: none]")
+      ->type_name("JOB.json");
+  command.footer(exit_codes);
+}
+
 CLI::App* add_post(CLI::App& app, PostFileOptions& options) {
   auto* const command =
       app.add_subcommand("post", "Post one CL file: NC program on stdout, report on stderr");
-  command->add_option("FILE", options.file,
-                      "CL file; -: standard input. Needed unless the job has its own path");
-  command
-      ->add_option("--machine", options.machine,
-                   "NAME or NAME@VERSION. Needed unless the job has it")
-      ->envname("PENTAPOST_MACHINE");
-  add_machines(*command, options.machines);
-  add_skip(*command, options.skip_bad_machines);
+  add_job(*command, options);
   command->add_option("--output", options.output, "tcp or axes [default: as the machine]");
   command->add_option("--dialect", options.dialect, "Controller dialect [default: as the machine]");
-  command->add_option("--tip-mm", options.tip_mm,
-                      "Tolerance of the tool tip, at most 1 [default: 0.01]");
-  command->add_option("--axis-deg", options.axis_deg,
-                      "Tolerance of the tool axis, at most 5 [default: 0.05]");
-  command->add_option("--cl-units", options.cl_units, "mm or inch [default: as the file]");
   command->add_option("--program-name", options.program_name,
                       "[default: from PARTNO, else FILE without its ending]");
-  command->add_option("--job", options.job, "The other keys of a job, as JSON [default: none]")
-      ->type_name("JOB.json");
   command->add_option("--report", options.report, "File for the report [default: stderr]")
       ->type_name("FILE");
   command->add_option("--out", options.out, "File for the NC program [default: stdout]")
       ->type_name("FILE");
-  command->footer(exit_codes);
+  return command;
+}
+
+CLI::App* add_analyse(CLI::App& app, AnalyseFileOptions& options) {
+  auto* const command = app.add_subcommand(
+      "analyse", "Analyse one CL file on a machine: singular zones, axis speeds, times, as JSON");
+  add_job(*command, options);
+  command->add_option("--zone-share", options.zone_share,
+                      "Share of a speed limit from which a stretch is a zone [default: 1]");
   return command;
 }
 
@@ -109,9 +122,11 @@ std::variant<Command, ExitCode> read_options(int argument_count, const char* con
   app.footer(exit_codes);
   ServeOptions serve;
   PostFileOptions post;
+  AnalyseFileOptions analyse;
   MachinesOptions machines;
   const auto* const serve_command = add_serve(app, serve);
   const auto* const post_command = add_post(app, post);
+  const auto* const analyse_command = add_analyse(app, analyse);
   auto* const machines_command = app.add_subcommand("machines", "List the machines");
   add_machines(*machines_command, machines.machines);
   const auto* const dialects_command =
@@ -130,6 +145,7 @@ std::variant<Command, ExitCode> read_options(int argument_count, const char* con
   }
   if (serve_command->parsed()) return Command{serve};
   if (post_command->parsed()) return Command{post};
+  if (analyse_command->parsed()) return Command{analyse};
   if (machines_command->parsed()) return Command{machines};
   if (dialects_command->parsed()) return Command{DialectsOptions{}};
   return Command{VersionOptions{}};

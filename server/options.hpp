@@ -29,15 +29,23 @@ struct ServeOptions {
   bool check = false;  ///< only load the machines
 };
 
-struct PostFileOptions {
+/// A job on the command line.
+struct JobFileOptions {
   std::string file;  ///< "-": standard input
   std::string machines = {};
   bool skip_bad_machines = false;
-  std::optional<std::string> machine = {}, output = {}, dialect = {}, tip_mm = {}, axis_deg = {},
-                             cl_units = {}, program_name = {};
-  std::string job = {};     ///< file with the JSON job; empty: none
+  std::optional<std::string> machine = {}, tip_mm = {}, axis_deg = {}, cl_units = {};
+  std::string job = {};  ///< file with the JSON job; empty: none
+};
+
+struct PostFileOptions : JobFileOptions {
+  std::optional<std::string> output = {}, dialect = {}, program_name = {};
   std::string report = {};  ///< empty: standard error
   std::string out = {};     ///< empty: standard output
+};
+
+struct AnalyseFileOptions : JobFileOptions {
+  std::optional<std::string> zone_share = {};
 };
 
 struct MachinesOptions {
@@ -46,8 +54,8 @@ struct MachinesOptions {
 struct DialectsOptions {};
 struct VersionOptions {};
 
-using Command =
-    std::variant<ServeOptions, PostFileOptions, MachinesOptions, DialectsOptions, VersionOptions>;
+using Command = std::variant<ServeOptions, PostFileOptions, AnalyseFileOptions, MachinesOptions,
+                             DialectsOptions, VersionOptions>;
 
 /// Reads the command line and the PENTAPOST_... environment.
 ///

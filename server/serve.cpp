@@ -64,6 +64,7 @@ ExitCode run(const ServeOptions& options) {
   Log log;
   App app{{.machines = std::move(*machines),
            .post = jobs::post,
+           .analyse = jobs::analyse,
            .next_request_id = random_request_ids()},
           {.running_jobs = running_jobs(options.threads), .waiting_jobs = options.queue}};
   TransportLimits limits;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pentapost/jobs/analyse.hpp"
 #include "pentapost/jobs/post.hpp"
 #include "pentapost/machine/library.hpp"
 
@@ -12,6 +13,7 @@ namespace pentapost::server {
 struct Services {
   machine::Library machines;
   std::function<Result<jobs::PostReport>(const jobs::PostJob&)> post;
+  std::function<Result<jobs::AnalyseReport>(const jobs::AnalyseJob&)> analyse;
   std::function<std::string()> next_request_id;  ///< called from several threads
 };
 

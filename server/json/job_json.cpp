@@ -30,6 +30,9 @@ constexpr Domain axis_domain{
 constexpr auto setup_angle_domain =
     Domain::between(-jobs::largest_setup_angle_deg, jobs::largest_setup_angle_deg);
 
+/// A key of POST /analyse alone.
+constexpr auto zone_share_key = "zone_share"sv;
+
 /// The words of a job, and where in the JSON job each belongs.
 struct WordRow {
   std::string_view name, pointer;
@@ -42,6 +45,7 @@ constexpr std::array word_rows{
     WordRow{"axis_deg", "/tolerances/axis_deg"},
     WordRow{"cl_units", "/cl_units"},
     WordRow{"program_name", "/post/program_name"},
+    WordRow{zone_share_key, "/zone_share"},
 };
 
 std::string_view pointer_of(std::string_view word) {
@@ -63,13 +67,17 @@ std::string quoted(std::string_view name) {
   return text.append(name.substr(0, longest)).append(cut ? "...'" : "'");
 }
 
+enum class Operation { post, analyse };
+
 /// Reads one job. The first failure is kept; readers go on with defaults after it.
 class JobReader {
  public:
-  JobReader(json::Document& document, const JobParts& parts, const JobContext& context)
-      : document_{document}, parts_{parts}, context_{context} {}
+  JobReader(json::Document& document, const JobParts& parts, const JobContext& context,
+            Operation operation)
+      : document_{document}, parts_{parts}, context_{context}, operation_{operation} {}
 
-  Result<jobs::PostJob> read();
+  /// What the operation has no key for keeps its default.
+  Result<jobs::AnalyseJob> read();
 
  private:
   void check_words();
@@ -77,8 +85,8 @@ class JobReader {
                           std::string_view key);
   std::optional<std::size_t> choice(std::string_view name, const std::optional<Object>& object,
                                     std::string_view key, std::span<const std::string_view> words);
-  std::optional<double> tolerance(std::string_view name, const std::optional<Object>& object,
-                                  const Domain& domain);
+  std::optional<double> number(std::string_view name, const std::optional<Object>& object,
+                               const Domain& domain);
   std::optional<std::string> text(std::string_view name, const std::optional<Object>& object);
   void fail(Code code, std::string_view pointer, std::string message);
   const std::optional<Problem>& first_problem() const;
@@ -97,6 +105,7 @@ class JobReader {
   json::Document& document_;
   const JobParts& parts_;
   const JobContext& context_;
+  Operation operation_;
   std::optional<Problem> word_problem_ = {};  ///< first failure outside the JSON text
 };
 
@@ -113,7 +122,7 @@ const std::optional<Problem>& JobReader::first_problem() const {
 
 void JobReader::check_words() {
   for (const auto& [name, value] : parts_.words) {
-    if (pointer_of(name).empty())
+    if (pointer_of(name).empty() || (name == zone_share_key && operation_ != Operation::analyse))
       return fail(Code::unknown_key, json::pointer_step(name),
                   quoted(name) + " is not a key of this form");
     const auto same = [&name = name](const auto& field) { return field.first == name; };
@@ -149,16 +158,17 @@ std::optional<std::size_t> JobReader::choice(std::string_view name,
   return static_cast<std::size_t>(place - words.begin());
 }
 
-std::optional<double> JobReader::tolerance(std::string_view name,
-                                           const std::optional<Object>& object,
-                                           const Domain& domain) {
+/// A number above 0.
+std::optional<double> JobReader::number(std::string_view name, const std::optional<Object>& object,
+                                        const Domain& domain) {
   const auto* found = word(name, object, name);
   if (found == nullptr) return object ? object->optional_number(name, domain) : std::nullopt;
   const auto number = parse_number(*found);
   if (!number || number->length != found->size() || !domain.contains(number->value)) {
+    const std::string bound =
+        std::isfinite(domain.upper) ? " and of at most " + number_text(domain.upper) : "";
     fail(Code::out_of_domain, pointer_of(name),
-         "found " + quoted(*found) + ", expected a number above 0 and of at most " +
-             number_text(domain.upper));
+         "found " + quoted(*found) + ", expected a number above 0" + bound);
     return std::nullopt;
   }
   return number->value;
@@ -283,8 +293,8 @@ void JobReader::read_tools(const Object& job, jobs::PostJob& result) {
 
 void JobReader::read_tolerances(const Object& job, jobs::Tolerances& tolerances) {
   const auto object = job.optional_object("tolerances");
-  tolerances.tip_mm = tolerance("tip_mm", object, tip_domain).value_or(tolerances.tip_mm);
-  tolerances.axis_deg = tolerance("axis_deg", object, axis_domain).value_or(tolerances.axis_deg);
+  tolerances.tip_mm = number("tip_mm", object, tip_domain).value_or(tolerances.tip_mm);
+  tolerances.axis_deg = number("axis_deg", object, axis_domain).value_or(tolerances.axis_deg);
   if (object) object->finish();
 }
 
@@ -352,25 +362,38 @@ void JobReader::read_limits(const Object& job, jobs::PostJob& result) {
   }
 }
 
-Result<jobs::PostJob> JobReader::read() {
+Result<jobs::AnalyseJob> JobReader::read() {
   const auto job = document_.object();
   if (document_.problem()) return *document_.problem();
   check_words();
   auto definition = machine_of(job);
   if (auto first = first_problem()) return *first;
 
-  jobs::PostJob result{.machine = std::move(*definition), .path = {}};
+  jobs::AnalyseJob answer{.job = {.machine = std::move(*definition), .path = {}}};
+  jobs::PostJob& result = answer.job;
   read_path(job, result);
   read_setup(job, result.setup);
   read_tools(job, result);
   read_tolerances(job, result.tolerances);
   read_post(job, result.post);
   read_limits(job, result);
+  if (operation_ == Operation::analyse)
+    answer.zone_share = number(zone_share_key, job, Domain::positive()).value_or(answer.zone_share);
   job.finish();
   if (!parts_.cl && !job.has("cl") && !job.has("path"))
     fail(Code::missing_key, "/cl", "a job has exactly one of cl and path");
   if (auto first = first_problem()) return *first;
-  return result;
+  return answer;
+}
+
+Result<jobs::AnalyseJob> read_job(JobParts parts, const JobContext& context, Operation operation) {
+  auto document = json::Document::parse(parts.json ? *parts.json : "{}"sv);
+  if (!document) return std::move(document).error();
+  auto answer = JobReader{*document, parts, context, operation}.read();
+  if (!answer) return answer;
+  answer->job.post.default_program_name = file_stem(parts.cl_file_name);
+  if (parts.cl) std::get<jobs::ClText>(answer->job.path).text = std::move(*parts.cl);
+  return answer;
 }
 
 }  // namespace
@@ -417,15 +440,14 @@ Result<const machine::LibraryEntry*> find_machine(const machine::Library& machin
   return missing_machine(machines, name, version);
 }
 
-Result<jobs::PostJob> read_job(JobParts parts, const JobContext& context) {
-  auto document = json::Document::parse(parts.json ? *parts.json : "{}"sv);
-  if (!document) return std::move(document).error();
-  auto job = JobReader{*document, parts, context}.read();
-  if (!job) return job;
-  job->post.default_program_name = file_stem(parts.cl_file_name);
-  if (!parts.cl) return job;
-  std::get<jobs::ClText>(job->path).text = std::move(*parts.cl);
-  return job;
+Result<jobs::PostJob> read_post_job(JobParts parts, const JobContext& context) {
+  auto answer = read_job(std::move(parts), context, Operation::post);
+  if (!answer) return std::move(answer).error();
+  return std::move(answer->job);
+}
+
+Result<jobs::AnalyseJob> read_analyse_job(JobParts parts, const JobContext& context) {
+  return read_job(std::move(parts), context, Operation::analyse);
 }
 
 }  // namespace pentapost::server

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pentapost/core/result.hpp"
+#include "pentapost/jobs/analyse.hpp"
 #include "pentapost/jobs/post.hpp"
 #include "pentapost/machine/library.hpp"
 #include "server/http/message.hpp"
@@ -23,7 +24,7 @@ struct JobParts {
   std::optional<std::string> json = {};  ///< the JSON job
   std::optional<std::string> cl = {};    ///< text of the CL file, where it came apart from the job
   std::string cl_file_name = {};         ///< of that file; empty: not known
-  /// machine, output, dialect, tip_mm, axis_deg, cl_units, program_name, as text.
+  /// machine, output, dialect, tip_mm, axis_deg, cl_units, program_name, zone_share, as text.
   Fields words = {};
 };
 
@@ -33,7 +34,10 @@ struct JobParts {
 ///         for): bad_json, unknown_key, missing_key, wrong_type, out_of_domain, conflicting_keys,
 ///         unknown_machine, unknown_version, unknown_dialect, zero_tool_axis, no_motion, or what
 ///         an inline definition is refused with.
-Result<jobs::PostJob> read_job(JobParts parts, const JobContext& context);
+Result<jobs::PostJob> read_post_job(JobParts parts, const JobContext& context);
+
+/// Reads a job for POST /analyse: as for POST /post, and the key and word zone_share.
+Result<jobs::AnalyseJob> read_analyse_job(JobParts parts, const JobContext& context);
 
 /// The JSON pointer of a key of the job.
 std::string pointer_to_key(std::string_view key);
@@ -41,7 +45,7 @@ std::string pointer_to_key(std::string_view key);
 /// "part" of "C:\\cam\\part.cls", for a program without a name of its own.
 std::string file_stem(std::string_view file_name);
 
-/// A Problem of posting `job` with its pointer into the request: a machine that was given by its
+/// A Problem of `job` with its pointer into the request: a machine that was given by its
 /// name has no values there.
 Problem placed_in_request(Problem problem, const jobs::PostJob& job,
                           const machine::Library& machines);

@@ -56,6 +56,7 @@ constexpr std::array status_rows{
     StatusRow{Code::gauge_length_missing, 422},
     StatusRow{Code::gauge_length_assumed, 422},
     StatusRow{Code::linear_range_unchecked, 422},
+    StatusRow{Code::origin_assumed, 422},
     StatusRow{Code::tolerance_below_digits, 422},
     StatusRow{Code::no_rotary_feed, 422},
     StatusRow{Code::bad_option, 422},

@@ -2,28 +2,10 @@
 
 #include "server/json/json_writer.hpp"
 #include "server/json/problem_json.hpp"
-
-#include <string_view>
+#include "server/json/report_head_json.hpp"
 
 namespace pentapost::server {
 namespace {
-
-void write_identity(JsonWriter& writer, const jobs::PostReport& report) {
-  writer.key("machine").begin_object();
-  writer.key("name").string(report.machine_name);
-  writer.key("version").string(report.machine_version);
-  writer.key("sha256").string(report.machine_sha256);
-  writer.end_object();
-  writer.key("dialect").string(report.dialect);
-  writer.key("output").string(report.output == Output::tcp ? "tcp" : "axes");
-  writer.key("cl").begin_object();
-  if (!report.cl_sha256.empty()) writer.key("sha256").string(report.cl_sha256);
-  if (!report.cl_dialect.empty()) writer.key("dialect").string(report.cl_dialect);
-  writer.key("lines").integer(report.cl_lines);
-  writer.key("points").integer(report.cl_points);
-  writer.key("units").string(report.cl_units);
-  writer.end_object();
-}
 
 void write_axes(JsonWriter& writer, const jobs::PostReport& report) {
   writer.key("axes").begin_object();
@@ -68,7 +50,10 @@ std::string report_json(const jobs::PostReport& report) {
   std::string text;
   JsonWriter writer{text};
   writer.begin_object();
-  write_identity(writer, report);
+  write_machine(writer, report);
+  writer.key("dialect").string(report.dialect);
+  writer.key("output").string(report.output == Output::tcp ? "tcp" : "axes");
+  write_cl(writer, report);
   writer.key("blocks").integer(report.blocks);
   writer.key("length_mm").number(report.length_mm);
   writer.key("programmed_time_s").number(report.programmed_time_s);

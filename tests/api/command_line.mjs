@@ -57,6 +57,14 @@ test("post takes a job and the machine from the environment", () => {
   assert.equal(run("post", good, "--job", job, { env: { PENTAPOST_MACHINE: "generic-3axis" } }).code, 0);
 });
 
+test("analyse writes the analysis to stdout", () => {
+  const { code, out, err } = run("analyse", good, "--machine", "hermle-c600u", "--zone-share", "0.5");
+  assert.deepEqual([code, err], [0, ""]);
+  const { summary, zones } = JSON.parse(out);
+  assert.equal(summary.length_mm, 10);
+  assert.deepEqual(zones, []);
+});
+
 test("post answers the same bytes every time", () => {
   const first = run("post", good, "--machine", "hermle-c600u");
   assert.equal(first.out, run("post", good, "--machine", "hermle-c600u").out);
@@ -67,7 +75,7 @@ for (const [title, words, expected, text] of [
   ["an unknown option", ["post", good, "--tip", "1"], 1, /--tip/],
   ["an unusable port", ["serve", "--port", "70000"], 1, /70000/],
   ["a damaged CL file", ["post", damaged, "--machine", "generic-3axis"], 2, /"cl_line":3/],
-  ["an unknown command", ["foo"], 1, /foo[^]*serve, post, machines, dialects, version/],
+  ["an unknown command", ["foo"], 1, /foo[^]*serve, post, analyse, machines, dialects, version/],
   ["no machine", ["post", good], 1, /--machine/],
   ["no file", ["post", "--machine", "generic-3axis"], 1, /give FILE or -/],
   ["a job and no path", ["post", "--machine", "generic-3axis", "--job", empty], 2, /missing_key/],
@@ -87,6 +95,9 @@ for (const [title, words, expected, text] of [
     "--report", "none/x"], 5, /none\/x/],
   ["a machine with an unusable option", ["serve", "--check", "--machines", "machines"], 5,
     /options\/tcp_on: option tcp_on: \{foo\}/],
+  ["a share of 0", ["analyse", good, "--machine", "generic-3axis", "--zone-share", "0"], 2, /"pointer":"\/zone_share"/],
+  ["an analysis without a machine", ["analyse", good], 1, /pentapost analyse: give --machine/],
+  ["an analysis out of reach", ["analyse", below, "--machine", "generic-3axis"], 3, /out_of_reach/],
   ["an unknown machine", ["post", good, "--machine", "generic-3axs"], 2, /generic-3axis/],
   ["a bad tolerance", ["post", good, "--machine", "generic-3axis", "--tip-mm", "0"], 2, /tolerances\/tip_mm/],
   ["a tool axis out of reach", ["post", below, "--machine", "generic-3axis"], 3, /out_of_reach/],
@@ -167,7 +178,7 @@ test("the other commands answer", () => {
   assert.match(run("dialects").out, /^fanuc-30i\t/m);
   assert.match(run("version").out, /^pentapost \d+\.\d+\.\d+\n$/);
   assert.match(run("serve", "--check").out, /^\d+ machines in /);
-  for (const command of ["serve", "post", "machines", "dialects", "version"]) {
+  for (const command of ["serve", "post", "analyse", "machines", "dialects", "version"]) {
     const { code, out } = run(command, "--help");
     assert.equal(code, 0);
     assert.match(out, /Usage: pentapost/);

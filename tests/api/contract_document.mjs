@@ -27,8 +27,10 @@ export class Contract {
     this.#ajv.addSchema({ ...this.#document, $id: base });
   }
 
-  isJob(body) {
-    return this.#validator("#/components/schemas/Job")(body);
+  /// Whether the operation at that path takes the job.
+  isJob(body, place) {
+    const { schema } = this.#document.paths[place].post.requestBody.content["application/json"];
+    return this.#validator(schema.$ref)(body);
   }
 
   /// Throws where the document does not have such an answer to the request.

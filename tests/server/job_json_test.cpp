@@ -12,7 +12,7 @@ namespace {
 Result<jobs::PostJob> read_parts(JobParts parts) {
   static const auto machines = sample::library();
   const auto dialects = dialect_names();
-  return read_job(std::move(parts), {.machines = machines, .dialects = dialects});
+  return read_post_job(std::move(parts), {.machines = machines, .dialects = dialects});
 }
 
 Result<jobs::PostJob> read(const std::string& json) { return read_parts({.json = json}); }
@@ -59,6 +59,57 @@ TEST(JobJson, ReadsEveryKey) {
   EXPECT_EQ(job->limits.at("X").max_speed, 250.0);
   EXPECT_EQ(job->limits.at("X").max_acceleration, 500.0);
   EXPECT_EQ(job->limits.at("X").max_jerk, 3000.0);
+}
+
+Result<jobs::AnalyseJob> read_analysis(JobParts parts) {
+  static const auto machines = sample::library();
+  const auto dialects = dialect_names();
+  return read_analyse_job(std::move(parts), {.machines = machines, .dialects = dialects});
+}
+
+TEST(AnalyseJobJson, ReadsTheJobAndItsShare) {
+  const auto job = read_analysis(
+      {.json =
+           R"({"machine": "demo", "cl": "x", "zone_share": 0.25, "tolerances": {"tip_mm": 0.02}})"});
+  ASSERT_TRUE(job) << job.error().message;
+  EXPECT_EQ(job->zone_share, 0.25);
+  EXPECT_EQ(job->job.tolerances.tip_mm, 0.02);
+  EXPECT_EQ(std::get<jobs::ClText>(job->job.path).text, "x");
+}
+
+TEST(AnalyseJobJson, TakesTheShareAsAWord) {
+  EXPECT_EQ(read_analysis({.cl = "x", .words = {{"machine", "demo"}, {"zone_share", "0.5"}}})
+                .value()
+                .zone_share,
+            0.5);
+  EXPECT_EQ(read_analysis({.cl = "x", .words = {{"machine", "demo"}}}).value().zone_share, 1.0);
+}
+
+TEST(AnalyseJobJson, RefusesAShareThatIsNotAboveZero) {
+  for (const std::string share : {"0", "-1", "\"1\""}) {
+    const auto job =
+        read_analysis({.json = R"({"machine": "demo", "cl": "x", "zone_share": )" + share + "}"});
+    ASSERT_FALSE(job) << share;
+    EXPECT_EQ(job.error().pointer, "/zone_share");
+  }
+  for (const std::string share : {"0", "-1", "x", "", "nan", "inf", "1e999"}) {
+    const auto job =
+        read_analysis({.cl = "x", .words = {{"machine", "demo"}, {"zone_share", share}}});
+    ASSERT_FALSE(job) << share;
+    EXPECT_EQ(job.error().code, Code::out_of_domain) << share;
+    EXPECT_EQ(job.error().pointer, "/zone_share");
+  }
+}
+
+TEST(JobJson, HasNoZoneShare) {
+  const auto json = read_with(R"("zone_share": 1)");
+  ASSERT_FALSE(json);
+  EXPECT_EQ(json.error().code, Code::unknown_key);
+  EXPECT_EQ(json.error().pointer, "/zone_share");
+  const auto text = read_parts({.cl = "x", .words = {{"machine", "demo"}, {"zone_share", "1"}}});
+  ASSERT_FALSE(text);
+  EXPECT_EQ(text.error().code, Code::unknown_key);
+  EXPECT_EQ(text.error().pointer, "/zone_share");
 }
 
 TEST(JobJson, HasTheDefaultsOfTheContract) {

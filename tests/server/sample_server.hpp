@@ -86,8 +86,10 @@ inline jobs::PostReport report() {
 using PostFunction = std::function<Result<jobs::PostReport>(const jobs::PostJob&)>;
 
 inline Services services(PostFunction post) {
-  return {
-      .machines = library(), .post = std::move(post), .next_request_id = [] { return "new-id"; }};
+  return {.machines = library(),
+          .post = std::move(post),
+          .analyse = jobs::analyse,
+          .next_request_id = [] { return "new-id"; }};
 }
 
 inline Services services() {

@@ -1,128 +1,34 @@
 #include "pentapost/jobs/post.hpp"
 
-#include "pentapost/cl/cycles.hpp"
-#include "pentapost/core/number_text.hpp"
-#include "pentapost/core/sha256.hpp"
-#include "pentapost/jobs/job_domain.hpp"
-#include "pentapost/jobs/tool_path.hpp"
+#include "pentapost/jobs/prepared_job.hpp"
 #include "pentapost/jobs/unproven.hpp"
-#include "pentapost/kinematics/model.hpp"
 #include "pentapost/nc/dialect.hpp"
-#include "pentapost/nc/reader.hpp"
-#include "pentapost/path/turn.hpp"
 #include "pentapost/plan/drilling.hpp"
 #include "pentapost/plan/program.hpp"
-#include "pentapost/plan/sequences.hpp"
 #include "pentapost/verify/proof.hpp"
 
-#include <algorithm>
-#include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace pentapost::jobs {
 namespace {
 
-/// The control of a job: its language, and what it can do.
-struct Control {
-  const nc::Dialect* dialect;
-  const nc::Reader* reader;
-  machine::Options options;
-  nc::Abilities abilities;
-  Output output;
-};
-
-Result<Control> control_of(const PostJob& job) {
-  Control control;
-  const std::string& name = job.post.dialect.value_or(job.machine.controller.dialect);
-  control.dialect = nc::find_dialect(name);
-  control.reader = nc::find_reader(name);
-  if (control.dialect == nullptr || control.reader == nullptr)
-    return Problem{.code = Code::unknown_dialect,
-                   .message = "there is no dialect " + name,
-                   .pointer = job.post.dialect ? "/post/dialect" : ""};
-  // Options are words of the definition's own control.
-  if (name == job.machine.controller.dialect) control.options = job.machine.controller.options;
-  auto abilities = control.dialect->abilities(control.options);
-  if (!abilities) {
-    Problem problem = std::move(abilities).error();
-    problem.pointer.insert(0, "/machine");
-    return problem;
-  }
-  control.abilities = *abilities;
-  control.output = job.post.output.value_or(job.machine.controller.output);
-  return control;
-}
-
-std::map<std::string, machine::AxisLimits> limits_of(const PostJob& job) {
-  auto limits = job.machine.limits;
-  for (const auto& [name, over] : job.limits) {
-    machine::AxisLimits& limit = limits[name];
-    if (over.max_speed) limit.max_speed = over.max_speed;
-    if (over.max_acceleration) limit.max_acceleration = over.max_acceleration;
-    if (over.max_jerk) limit.max_jerk = over.max_jerk;
-  }
-  return limits;
-}
-
-plan::Settings settings_of(const PostJob& job, const Control& control) {
-  const nc::Abilities& can = control.abilities;
-  plan::Settings settings;
-  settings.tip_tolerance_mm = job.tolerances.tip_mm;
-  settings.axis_tolerance_rad = job.tolerances.axis_deg * rad_per_deg;
-  settings.flank = job.post.flank;
-  settings.output = control.output;
-  settings.origin_mm = job.setup.origin_mm.value_or(Vec3::Zero());
-  settings.origin_known = job.setup.origin_mm.has_value();
-  settings.gauge_length_mm = job.gauge_length_mm;
-  settings.preferences = job.machine.preferences;
-  if (job.post.prefer) {
-    if (job.post.prefer->tilt) settings.preferences.tilt = job.post.prefer->tilt;
-    if (job.post.prefer->first_turn) settings.preferences.first_turn = job.post.prefer->first_turn;
-  }
-  settings.limits = limits_of(job);
-  settings.decimals_mm = can.decimals_mm;
-  settings.decimals_deg = can.decimals_deg;
-  settings.feed_decimals = can.feed_decimals;
-  settings.largest_feed = can.largest_feed;
-  settings.inverse_time = can.inverse_time;
-  settings.largest_inverse_time = can.largest_inverse_time;
-  settings.adds_length_always = can.adds_length_always;
-  settings.retracts_with_tcp = can.retracts_with_tcp;
-  settings.retract_needs_tool = can.retract_needs_tool;
-  settings.arcs = can.arcs;
-  settings.helices = can.helices;
-  settings.arcs_with_tcp = can.arcs_with_tcp;
-  settings.native_cycles = can.native_cycles;
-  settings.rotary_feed_rad_min = can.rotary_feed_deg_min * rad_per_deg;
-  settings.retract_mm = can.retract_mm;
-  settings.plunge_feed_mm_min = can.plunge_feed_mm_min;
-  return settings;
-}
-
-/// Gauge lengths of the tools that the path uses, and what their absence means.
-Status check_gauge_lengths(const PostJob& job, const kinematics::Model& model, Output output,
-                           const path::ToolPath& tool_path, bool has_linear_ranges,
-                           Diagnostics& diagnostics) {
-  std::optional<int> missing;
-  for (const auto& sequence : plan::sequences(tool_path))
-    if (!job.gauge_length_mm.contains(sequence.tool_number)) {
-      missing = sequence.tool_number;
-      break;
-    }
-  if (missing && model.head_turns && output == Output::axes)
+/// What the absence of a tool's gauge length means for the words.
+Status check_gauge_lengths(const PostJob& job, PreparedJob& prepared) {
+  const bool prints_joints = prepared.control.output == Output::axes;
+  const auto missing = missing_gauge_length(job, prepared.read.tool_path);
+  if (missing && prepared.model.head_turns && prints_joints)
     return Problem{.code = Code::gauge_length_missing,
                    .message = "the gauge length of tool " + std::to_string(*missing) +
                               " is needed: the head of " + job.machine.name +
                               " turns, and the axis words depend on it",
                    .pointer = "/tools/" + std::to_string(*missing)};
-  if (missing && output == Output::axes)
+  Diagnostics& diagnostics = prepared.read.diagnostics;
+  if (missing && prints_joints)
     diagnostics.add(
         {Severity::warning, Code::gauge_length_assumed, 0,
          "the gauge length of tool " + std::to_string(*missing) + " is not given and counts as 0"});
-  if (has_linear_ranges && (missing || !job.setup.origin_mm))
-    diagnostics.add({Severity::warning, Code::linear_range_unchecked, 0,
-                     std::string{"the ranges of the linear axes were not checked: "} +
-                         (job.setup.origin_mm ? "a gauge length is not given"
-                                              : "the setup's origin is not given")});
+  warn_of_unchecked_ranges(job, prepared.ranges, missing, diagnostics);
   return ok();
 }
 
@@ -210,49 +116,22 @@ Status check_options(const machine::Definition& definition) {
 }
 
 Result<PostReport> post(const PostJob& job) {
-  if (auto status = check_domain(job); !status) return std::move(status).error();
-  auto control = control_of(job);
-  if (!control) return std::move(control).error();
-  auto read = read_path(job);
-  if (!read) return std::move(read).error();
-  path::ToolPath tool_path = std::move(read->tool_path);
-  if (job.setup.theta_x_deg != 0.0 || job.setup.theta_z_deg != 0.0)
-    path::turn(tool_path, path::setup_turn(job.setup.theta_x_deg * rad_per_deg,
-                                           job.setup.theta_z_deg * rad_per_deg));
-
-  const kinematics::Model model{job.machine.chain};
-  const plan::JointRanges ranges = plan::joint_ranges(job.machine.chain, model);
-  const plan::Settings settings = settings_of(job, *control);
-  if (std::find(tool_path.move.begin(), tool_path.move.end(), path::Move::hole) !=
-      tool_path.move.end())
-    tool_path = cl::expand_cycles(tool_path, plan::native_holes(model, tool_path, settings),
-                                  &read->diagnostics);
-
-  PostReport report;
-  report.diagnostics = std::move(read->diagnostics);
-  const bool has_linear_ranges = std::any_of(ranges.linear_mm.begin(), ranges.linear_mm.end(),
-                                             [](const auto& range) { return range.has_value(); });
-  if (auto status = check_gauge_lengths(job, model, control->output, tool_path, has_linear_ranges,
-                                        report.diagnostics);
-      !status)
-    return std::move(status).error();
-  auto program = plan::plan_program(model, ranges, tool_path, settings);
+  auto prepared = prepare(job);
+  if (!prepared) return std::move(prepared).error();
+  const auto& [control, read, model, ranges, settings] = *prepared;
+  expand_holes(*prepared, plan::native_holes(model, read.tool_path, settings));
+  if (auto status = check_gauge_lengths(job, *prepared); !status) return std::move(status).error();
+  auto program = plan::plan_program(model, ranges, read.tool_path, settings);
   if (!program) return placed(std::move(program).error());
 
+  PostReport report;
   const auto proof =
-      write_and_prove(job, *control, model, settings, tool_path, program->motion, report.nc);
+      write_and_prove(job, control, model, settings, read.tool_path, program->motion, report.nc);
   if (!proof) return proof.error();
 
-  report.machine_name = job.machine.name;
-  report.machine_version = job.machine.version;
-  report.machine_sha256 = job.machine.sha256;
-  report.dialect = control->dialect->name;
-  report.output = control->output;
-  if (const auto* cl = std::get_if<ClText>(&job.path)) report.cl_sha256 = sha256_hex(cl->text);
-  report.cl_dialect = std::move(read->cl_dialect);
-  report.cl_units = std::move(read->cl_units);
-  report.cl_lines = read->lines;
-  report.cl_points = read->points;
+  static_cast<ReportHead&>(report) = report_head(job, read);
+  report.dialect = control.dialect->name;
+  report.output = control.output;
   report.blocks = program->motion.blocks.size();
   report.inserted_points = program->inserted_points;
   report.length_mm = program->length_mm;
@@ -261,6 +140,7 @@ Result<PostReport> post(const PostJob& job) {
   report.axes = axis_reports(ranges, model, settings, plan::word_columns(model), *proof);
   for (auto& retract : program->retracts)
     report.retracts.push_back({retract.cl_line, std::move(retract.reason)});
+  report.diagnostics = read.diagnostics;
   report.diagnostics.append(program->diagnostics);
   report.verification = {.passed = true,
                          .tip_deviation_mm = proof->tip_deviation_mm,

@@ -3,6 +3,7 @@
 #include "pentapost/core/output.hpp"
 #include "pentapost/core/result.hpp"
 #include "pentapost/core/units.hpp"
+#include "pentapost/jobs/report_head.hpp"
 #include "pentapost/machine/definition.hpp"
 
 #include <cstdint>
@@ -89,15 +90,10 @@ struct Verification {
   std::uint64_t blocks_read = 0;
 };
 
-struct PostReport {
+struct PostReport : ReportHead {
   std::string nc;  ///< the NC program
-  std::string machine_name, machine_version, machine_sha256;
   std::string dialect;
   Output output = Output::tcp;
-  std::string cl_sha256;   ///< of the CL text; empty for points
-  std::string cl_dialect;  ///< as detected; empty for points
-  std::string cl_units;    ///< "mm" or "inch"
-  std::uint64_t cl_lines = 0, cl_points = 0;
   std::uint64_t blocks = 0;  ///< motion blocks
   std::uint64_t inserted_points = 0;
   double length_mm = 0.0;             ///< of the tip's cutting path

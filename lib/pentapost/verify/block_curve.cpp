@@ -44,22 +44,24 @@ Station tip_station(const ChainShape& shape, const Vec3& tip_mm, double first_ra
 Station joint_station(const ChainShape& shape, const Joints& joints, double gauge_length_mm,
                       const Vec3& origin_mm) {
   const Model& model = shape.model;
+  const SineCosine first{joints.first_rad}, second{joints.second_rad};
   Station station;
-  station.first_turn = SineCosine{joints.first_rad};
-  station.second_turn = SineCosine{joints.second_rad};
-  set_axis(station, model.a,
-           rotated(model.a, station.first_turn, rotated(model.b, station.second_turn, model.t)));
+  set_axis(station, model.a, rotated(model.a, first, rotated(model.b, second, model.t)));
 
   Vec3 from_second = -model.b_point_mm - gauge_length_mm * model.t;
   if (model.has_linear[2]) from_second += model.linear_columns[2] * joints.linear_mm;
-  station.outer_arm_mm = rotated(model.b, station.second_turn, from_second);
-  Vec3 from_first = model.b_point_mm - model.a_point_mm + station.outer_arm_mm;
+  const Vec3 second_arm = rotated(model.b, second, from_second);
+  Vec3 from_first = model.b_point_mm - model.a_point_mm + second_arm;
   if (model.has_linear[1]) from_first += model.linear_columns[1] * joints.linear_mm;
-  station.second_arm_mm = model.b.cross(from_second).norm();
-  station.turned_arm_mm = from_first;
-  station.arm_mm = rotated(model.a, station.first_turn, from_first);
-  station.tip_mm = model.a_point_mm + station.arm_mm - origin_mm;
+  const Vec3 first_arm = rotated(model.a, first, from_first);
+  station.tip_mm = model.a_point_mm + first_arm - origin_mm;
   if (model.has_linear[0]) station.tip_mm += model.linear_columns[0] * joints.linear_mm;
+  station.arms.emplace(Arms{.first_mm = first_arm,
+                            .first_turned_mm = from_first,
+                            .second_mm = second_arm,
+                            .second_length_mm = model.b.cross(from_second).norm(),
+                            .first_turn = first,
+                            .second_turn = second});
   return station;
 }
 
@@ -85,9 +87,11 @@ BlockCurve BlockCurve::joint_line(const ChainShape& shape, const Joints& from, c
   curve.gauge_length_mm_ = gauge_length_mm;
   curve.origin_mm_ = origin_mm;
   const Model& model = shape.model;
-  for (std::size_t place = 0; place < 3; ++place)
+  for (std::size_t place = 0; place < 3; ++place) {
+    curve.linear_way_mm_[place].setZero();
     if (model.has_linear[place])
       curve.linear_way_mm_[place] = model.linear_columns[place] * curve.change_.linear_mm;
+  }
   curve.before_second_mm_ = curve.linear_way_mm_[1].norm();
   curve.after_second_mm_ = curve.linear_way_mm_[2].norm();
   curve.across_second_mm_ = model.b.cross(curve.linear_way_mm_[2]).norm();
@@ -122,42 +126,45 @@ double BlockCurve::tip_acceleration_mm(const Station& from, const Station& to, d
   }
   const double alpha = std::abs(change_.first_rad) * h;
   const double beta = std::abs(change_.second_rad) * h;
-  const double second_arm_mm = std::max(from.second_arm_mm, to.second_arm_mm);
+  const double second_arm_mm = std::max(from.arms->second_length_mm, to.arms->second_length_mm);
   const double turned_acceleration =
       beta * beta * second_arm_mm + 2.0 * beta * across_second_mm_ * h;
   if (alpha == 0.0) return turned_acceleration;
-  const double turned_speed =
-      std::min((to.turned_arm_mm - from.turned_arm_mm).norm() + 0.5 * turned_acceleration,
-               (before_second_mm_ + after_second_mm_) * h + beta * second_arm_mm);
+  const double turned_speed = std::min(
+      (to.arms->first_turned_mm - from.arms->first_turned_mm).norm() + 0.5 * turned_acceleration,
+      (before_second_mm_ + after_second_mm_) * h + beta * second_arm_mm);
   if (alpha < 1.0)
-    return (alpha * ((to.arm_mm - from.arm_mm).norm() + turned_speed) + turned_acceleration) /
+    return (alpha * ((to.arms->first_mm - from.arms->first_mm).norm() + turned_speed) +
+            turned_acceleration) /
            (1.0 - 0.5 * alpha);
-  const double arm_mm = std::max(from.arm_mm.norm(), to.arm_mm.norm()) + 0.5 * turned_speed;
+  const double arm_mm =
+      std::max(from.arms->first_mm.norm(), to.arms->first_mm.norm()) + 0.5 * turned_speed;
   return alpha * alpha * arm_mm + 2.0 * alpha * turned_speed + turned_acceleration;
 }
 
 // y' = R (alpha' a x v + v') with v' = D1 + beta' b x w + R(b, beta) D2.
 Vec3 BlockCurve::tip_velocity_mm(const Station& station) const {
   const Model& model = shape_->model;
-  Vec3 turned = change_.first_rad * model.a.cross(station.turned_arm_mm) +
-                change_.second_rad * model.b.cross(station.outer_arm_mm) + linear_way_mm_[1];
-  if (model.has_linear[2]) turned += rotated(model.b, station.second_turn, linear_way_mm_[2]);
-  return linear_way_mm_[0] + rotated(model.a, station.first_turn, turned);
+  const Arms& arms = *station.arms;
+  Vec3 turned = change_.first_rad * model.a.cross(arms.first_turned_mm) +
+                change_.second_rad * model.b.cross(arms.second_mm) + linear_way_mm_[1];
+  if (model.has_linear[2]) turned += rotated(model.b, arms.second_turn, linear_way_mm_[2]);
+  return linear_way_mm_[0] + rotated(model.a, arms.first_turn, turned);
 }
 
 // By Leibniz' rule; v(n) <= beta'^n |w| + n beta'^(n-1) |w'| across b, for n > 1.
 double BlockCurve::tip_snap_mm(const Station& from, const Station& to) const {
   const double alpha = std::abs(change_.first_rad);
   const double beta = std::abs(change_.second_rad);
-  const double arm = std::max(from.second_arm_mm, to.second_arm_mm);
+  const double arm = std::max(from.arms->second_length_mm, to.arms->second_length_mm);
   const double way = across_second_mm_;
   const double first = before_second_mm_ + after_second_mm_ + beta * arm;
   const double second = beta * (beta * arm + 2.0 * way);
   const double third = beta * beta * (beta * arm + 3.0 * way);
   const double fourth = beta * beta * beta * (beta * arm + 4.0 * way);
-  const double inner_arm =
-      std::sqrt(std::max(from.turned_arm_mm.squaredNorm(), to.turned_arm_mm.squaredNorm())) +
-      0.5 * first;
+  const double inner_arm = std::sqrt(std::max(from.arms->first_turned_mm.squaredNorm(),
+                                              to.arms->first_turned_mm.squaredNorm())) +
+                           0.5 * first;
   return fourth +
          alpha * (4.0 * third + alpha * (6.0 * second + alpha * (4.0 * first + alpha * inner_arm)));
 }

@@ -17,19 +17,23 @@ struct ChainShape {
   double tool_cosine, tool_sine;  ///< of the angle between second rotary axis and tool axis
 };
 
+/// How the rotary joints hold the tool: what the tip's way follows from where the words are joint
+/// values. Frame: table, but where it says otherwise.
+struct Arms {
+  Vec3 first_mm;            ///< first rotary axis to tip
+  Vec3 first_turned_mm;     ///< the same, seen from the body that the first joint moves against
+  Vec3 second_mm;           ///< second rotary axis to tip, seen from the body before it
+  double second_length_mm;  ///< distance of the tip from the second rotary axis
+  kinematics::SineCosine first_turn, second_turn;
+};
+
 /// Where the tool is at one place of a block. Frame: CL.
 struct Station {
   Vec3 tip_mm = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();
   double cosine = 1.0,
          sine = 0.0;  ///< of the angle between first rotary axis and tool axis, |cosine| and sine
-  // Only where the words are joint values:
-  Vec3 arm_mm = Vec3::Zero();  ///< first rotary axis to tip, table frame
-  Vec3 turned_arm_mm =
-      Vec3::Zero();  ///< the same, seen from the body that the first joint moves against
-  Vec3 outer_arm_mm = Vec3::Zero();  ///< second rotary axis to tip, seen from the body before it
-  double second_arm_mm = 0.0;        ///< distance of the tip from the second rotary axis
-  kinematics::SineCosine first_turn{0.0, 1.0}, second_turn{0.0, 1.0};
+  std::optional<Arms> arms = {};  ///< only where the words are joint values
 };
 
 /// The tool where X Y Z are the tip.
@@ -90,11 +94,10 @@ class BlockCurve {
   Vec3 tip_from_mm_ = Vec3::Zero(), tip_change_mm_ = Vec3::Zero();
   double gauge_length_mm_ = 0.0;
   Vec3 origin_mm_ = Vec3::Zero();
-  std::array<Vec3, 3> linear_way_mm_{Vec3::Zero(), Vec3::Zero(),
-                                     Vec3::Zero()};  ///< by Model::linear_columns
-  double before_second_mm_ = 0.0;  ///< way of the linear joints between the rotary ones
-  double after_second_mm_ = 0.0;   ///< way of those beyond both
-  double across_second_mm_ = 0.0;  ///< part of it across the second rotary axis
+  std::array<Vec3, 3> linear_way_mm_;  ///< of joint_line(), by Model::linear_columns
+  double before_second_mm_ = 0.0;      ///< way of the linear joints between the rotary ones
+  double after_second_mm_ = 0.0;       ///< way of those beyond both
+  double across_second_mm_ = 0.0;      ///< part of it across the second rotary axis
   std::optional<path::Segment> arc_;
 };
 
