@@ -67,6 +67,27 @@ void expect_upper_bounds(Output output) {
   }
 }
 
+/// Nearest to the tip is any place of a circle smaller than the tip's deviation from it: the tool
+/// axis may be held against that of either end of the block.
+TEST(BlockBound, OnACircleSmallerThanTheDeviationTheAxisCountsFromEitherEnd) {
+  const kinematics::Model model{sample::trunnion_ac()};
+  Settings settings;
+  settings.output = Output::axes;
+  const JointRanges ranges;
+  BlockMaker maker{model, ranges, settings, 0.0, false};
+  const double tilt_from = 0.30, tilt_to = 0.33;
+  const auto axis = [](double tilt) { return Vec3{0.0, std::sin(tilt), std::cos(tilt)}; };
+  const Vec3 start_mm{50.0, 0.03, 40.0};
+  const auto from = maker.posture(start_mm + Vec3{0.05, 0.0, 0.0}, {0.0, tilt_from}, 1);
+  const auto to = maker.posture(start_mm + Vec3{0.05, 0.0, 0.0}, {0.0, tilt_to}, 1);
+  ASSERT_TRUE(from && to);
+  const path::Arc arc{.centre_wp_mm = {50.0, 0.0, 40.0}, .sweep_rad = 2.0 * pi};
+  const path::Segment segment{start_mm, axis(tilt_from), start_mm, axis(tilt_to), &arc};
+  const BlockBound bound = bound_block(model, settings, maker, segment, 0.0, *from, 1.0, *to);
+  EXPECT_GE(bound.tip_mm, 0.03);
+  EXPECT_GE(bound.axis_rad, tilt_to - tilt_from);
+}
+
 TEST(BlockBound, LiesAboveEverySampleOfAJointLinearBlock) { expect_upper_bounds(Output::axes); }
 TEST(BlockBound, LiesAboveEverySampleOfATcpBlock) { expect_upper_bounds(Output::tcp); }
 
