@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace pentapost::plan {
 namespace {
@@ -118,15 +117,13 @@ BlockBound bound_block(const kinematics::Model& model, const Settings& settings,
   bound.tip_mm = std::hypot(quadratic_bound(tip_error[0], tip_error[1], tip_error[2]), beyond_mm) +
                  cubic_remainder * third_mm;
   // On a circle the whole deviation can delay, by up to a quarter turn for its radius; what leaves
-  // the circle by more is nearest to any place of it.
-  if (segment.is_arc())
-    ahead_mm = bound.tip_mm < segment.smallest_radius_mm()
-                   ? 0.5 * pi * bound.tip_mm
-                   : std::numeric_limits<double>::infinity();
+  // the circle by more is nearest to any place of it, and jumps from one end to the other.
+  if (segment.is_arc()) ahead_mm = 0.5 * pi * bound.tip_mm;
+  const bool jumps = segment.is_arc() && !(bound.tip_mm < segment.smallest_radius_mm());
   if (settings.output == Output::axes && segment.length_mm() > 0.0) {
     const double unknown_mm = std::max(0.0, ahead_mm - printed_resolution_mm(settings.decimals_mm));
-    bound.axis_rad +=
-        axis_turn_rad * (length_mm > 0.0 ? std::min(1.0, unknown_mm / length_mm) : 1.0);
+    const double delay = length_mm > 0.0 ? std::min(1.0, unknown_mm / length_mm) : 1.0;
+    bound.axis_rad += axis_turn_rad * (jumps ? 2.0 : delay);
   }
   return bound;
 }
