@@ -1,8 +1,10 @@
 #include "pentapost/plan/drilling.hpp"
 
+#include "pentapost/kinematics/inverse.hpp"
 #include "pentapost/plan/sequences.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -45,6 +47,17 @@ std::optional<double> feed_of_hole(const path::CycleStart& cycle, const Frame& f
   return cycle.feed_mm_min ? cycle.feed_mm_min : frame.feed_mm_min();
 }
 
+/// Whether a way along Z alone keeps to the hole: not where the tool axis lies beyond the reach by
+/// too much for its depth, or the digits are too coarse for it.
+bool keeps_tolerance(const kinematics::Model& model, const path::CycleStart& cycle,
+                     const Vec3& axis, const Settings& settings) {
+  const double beyond_rad = std::max(0.0, kinematics::inverse_rotary(model, axis, pi).beyond_rad);
+  const double digits_rad = std::sqrt(0.5) * std::pow(10.0, -settings.decimals_deg) * rad_per_deg;
+  const double digits_mm = std::sqrt(3.0) * std::pow(10.0, -settings.decimals_mm);
+  const double length_mm = cycle.depth_mm + cycle.clearance_mm;
+  return length_mm * (beyond_rad + digits_rad) + digits_mm <= settings.tip_tolerance_mm;
+}
+
 }  // namespace
 
 std::function<bool(std::uint32_t point)> native_holes(const kinematics::Model& model,
@@ -53,14 +66,15 @@ std::function<bool(std::uint32_t point)> native_holes(const kinematics::Model& m
   if (!drills_along_z(model, settings)) return [](std::uint32_t) { return false; };
   std::vector<bool> native(tool_path.size(), false);
   std::size_t next_event = 0;
-  bool possible = false;
+  const path::CycleStart* open = nullptr;
   for (std::uint32_t point = 0; point < tool_path.size(); ++point) {
     for (;
          next_event < tool_path.events.size() && tool_path.events[next_event].before_point <= point;
          ++next_event)
       if (const auto* cycle = std::get_if<path::CycleStart>(&tool_path.events[next_event].what))
-        possible = can_be_native(*cycle);
-    native[point] = possible && tool_path.move[point] == path::Move::hole;
+        open = can_be_native(*cycle) ? cycle : nullptr;
+    native[point] = open != nullptr && tool_path.move[point] == path::Move::hole &&
+                    keeps_tolerance(model, *open, tool_path.axis_wp[point], settings);
   }
   for (const Sequence& sequence : sequences(tool_path)) native[sequence.range.begin] = false;
   return [native = std::move(native)](std::uint32_t point) { return native[point]; };
