@@ -231,6 +231,16 @@ TEST(NativeHoles, AreThoseOfACycleOffTheFirstPoint) {
   EXPECT_FALSE(native_holes(job.model, job.path, job.settings)(0));
 }
 
+/// Three decimals of an angle leave 12 um at the end of 1 m along Z.
+TEST(NativeHoles, TooDeepForTheDigitsOfTheAnglesAreNone) {
+  ProgramCase job = holes();
+  job.event(path::CycleStart{.depth_mm = 1000.0, .clearance_mm = 1.0});
+  hole(job, {20, 30, 5});
+  EXPECT_FALSE(is_native(job));
+  job.settings.tip_tolerance_mm = 0.02;
+  EXPECT_TRUE(is_native(job));
+}
+
 TEST(NativeHoles, TheFirstPointOfAToolIsNone) {
   ProgramCase job = holes();
   job.event(path::ToolChange{.number = 2});
