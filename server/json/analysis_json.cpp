@@ -31,7 +31,7 @@ void write_vector(JsonWriter& writer, const Vec3& vector) {
 void write_place(JsonWriter& writer, const jobs::PathPlace& place) {
   writer.begin_object();
   writer.key("point").integer(place.point);
-  writer.key("cl_line").integer(place.cl_line);
+  writer.key("cl_line").integer(place.line);
   writer.key("s_mm").number(place.s_mm);
   write_vector(writer.key("tip_mm"), place.tip_wp_mm);
   writer.end_object();

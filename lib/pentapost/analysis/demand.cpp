@@ -5,6 +5,20 @@
 
 namespace pentapost::analysis {
 
+PerAxis per_axis(const kinematics::Joints& joints) {
+  const Vec3& linear = joints.linear_mm;
+  return {linear.x(), linear.y(), linear.z(), joints.first_rad, joints.second_rad};
+}
+
+PerAxis per_axis(const kinematics::JointRates& rates) {
+  const Vec3& linear = rates.linear_mm;
+  return {linear.x(), linear.y(), linear.z(), rates.first_rad, rates.second_rad};
+}
+
+kinematics::JointRates joint_rates(const PerAxis& rates) {
+  return {{rates[0], rates[1], rates[2]}, rates[first_axis], rates[second_axis]};
+}
+
 std::optional<PerAxis> rates_of(const kinematics::JointMotion& motion, const Vec3& tip_rate_mm,
                                 double first_rad, double second_rad) {
   const auto linear = motion.linear_rates_mm(tip_rate_mm, first_rad, second_rad);

@@ -18,11 +18,18 @@ using PerAxis = std::array<double, axis_count>;
 /// What one place of a move asks of the axes. Rates per unit of the move's fraction, signed.
 struct Demand {
   PerAxis rate{};
+  PerAxis joints{};  ///< values of the joints: mm, rad
   /// |sin B| of the triangle: the singularity multiplies the rotary rates by its inverse. 1 where
   /// there is no triangle, 0 at a singularity.
   double opening_sine = 1.0;
-  Vec3 axis = Vec3::UnitZ();  ///< tool axis, table frame
+  Vec3 tip_mm = Vec3::Zero();  ///< frame of the tool path
+  Vec3 axis = Vec3::UnitZ();   ///< tool axis, table frame
 };
+
+/// Values of all joints in the order of the axes.
+PerAxis per_axis(const kinematics::Joints& joints);
+PerAxis per_axis(const kinematics::JointRates& rates);
+kinematics::JointRates joint_rates(const PerAxis& rates);
 
 /// Rates of all axes where the rotary joints have these.
 /// @return nullopt where the linear axes do not span space.

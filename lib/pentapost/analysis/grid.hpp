@@ -14,6 +14,9 @@ struct Place {
   double fraction = 0.0;
   Demand demand;
   Load load;
+  /// Per unit of the fraction squared, at an even feed; only where it was asked for, and the joints
+  /// have accelerations.
+  std::optional<PerAxis> acceleration = {};
 };
 
 /// What the load is held against.
@@ -28,8 +31,11 @@ template <class Stretch>
 class Grid {
  public:
   /// @param time_s  of a unit of the fraction at the programmed feed.
-  Grid(const Stretch& stretch, double time_s, const Allowance& allowance)
-      : stretch_{stretch}, time_s_{time_s}, allowance_{allowance} {}
+  Grid(const Stretch& stretch, double time_s, const Allowance& allowance, bool with_accelerations)
+      : stretch_{stretch},
+        time_s_{time_s},
+        allowance_{allowance},
+        with_accelerations_{with_accelerations} {}
 
   /// Fills `places`, in order; empty where the stretch has no rates anywhere.
   void fill(std::vector<Place>& places) const {
@@ -63,12 +69,16 @@ class Grid {
                                fraction - inside_share * length}) {
       const auto demand = stretch_.at(there);
       if (!demand) continue;
-      Place place{fraction, *demand, {}};
-      place.demand.axis = stretch_.axis(fraction);
+      Place place{fraction, *demand, {}, {}};
+      if (there != fraction) {
+        place.demand.axis = stretch_.axis(fraction);
+        place.demand.tip_mm = stretch_.tip_mm(fraction);
+      }
       place.load.ratio = ratios_of(demand->rate, time_s_, allowance_.limits);
       if (place.load.largest() > allowance_.share)
         place.load.asked_ratio =
             ratios_of(stretch_.asked(there, *demand), time_s_, allowance_.limits);
+      if (with_accelerations_) place.acceleration = stretch_.acceleration(there, *demand);
       return place;
     }
     return std::nullopt;
@@ -119,6 +129,7 @@ class Grid {
   const Stretch& stretch_;
   double time_s_;
   const Allowance& allowance_;
+  bool with_accelerations_;
 };
 
 }  // namespace pentapost::analysis

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "pentapost/analysis/samples.hpp"
+#include "pentapost/analysis/spans.hpp"
 #include "pentapost/analysis/survey.hpp"
-#include "pentapost/core/result.hpp"
-#include "pentapost/kinematics/model.hpp"
-#include "pentapost/path/tool_path.hpp"
-#include "pentapost/plan/branches.hpp"
+#include "pentapost/kinematics/singularity.hpp"
 #include "pentapost/plan/settings.hpp"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,11 +30,19 @@ struct OperationTime {
   double programmed_time_s = 0.0, predicted_time_s = 0.0;
 };
 
-/// What a tool path asks of a machine's axes at the programmed feed.
+/// What of a path is asked for.
+struct AnalysisOptions {
+  double share = 1.0;  ///< of a limit, from which a stretch counts as a zone
+  /// Most samples for plots, at least Samples::fewest; nullopt: none, and no accelerations.
+  std::optional<std::size_t> most_samples = {};
+};
+
+/// What a path asks of a machine's axes at the programmed feed.
 struct PathAnalysis {
   std::vector<kinematics::Singularity> singularities;  ///< in workpiece coordinates of the setup
   std::optional<Approach> closest;                     ///< over all cutting moves
   std::array<AxisPeak, axis_count> peaks{};            ///< over all cutting moves
+  Spans spans;                                         ///< over all moves
   std::vector<Zone> zones;                             ///< caused by a singularity
   std::vector<Zone> over_demands;                      ///< not caused by one
   std::vector<Repositioning> repositionings;
@@ -42,19 +50,10 @@ struct PathAnalysis {
   double programmed_time_s = 0.0;         ///< of these at the programmed feed
   double predicted_time_s = 0.0;          ///< of these, slowed down to the speed limits
   std::vector<OperationTime> operations;  ///< in order; those that cut
+  std::vector<Sample> samples;            ///< in order
 };
 
 /// Limits by the order of the model's axes, from those of the settings.
 SpeedLimits speed_limits(const kinematics::Model& model, const plan::Settings& settings);
-
-/// Analyses the continuous path: tip on its lines and arcs, tool axis on its great circles, rotary
-/// solutions as they are chosen for the NC program (lib/README.md section 3).
-///
-/// @param tool_path  in the table's orientation; holes expanded.
-/// @param share  of a limit, from which a stretch counts as a zone.
-/// @return Problem with the CL line: out of reach or range, or no feed.
-Result<PathAnalysis> analyse_path(const kinematics::Model& model, const plan::JointRanges& ranges,
-                                  const path::ToolPath& tool_path, const plan::Settings& settings,
-                                  double share);
 
 }  // namespace pentapost::analysis

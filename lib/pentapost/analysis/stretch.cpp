@@ -10,6 +10,15 @@ namespace pentapost::analysis {
 using kinematics::JointMotion;
 using kinematics::Joints;
 
+namespace {
+
+double nearest_turn(double value_rad, double reference_rad) {
+  constexpr double turn_rad = 2.0 * pi;
+  return value_rad + turn_rad * std::round((reference_rad - value_rad) / turn_rad);
+}
+
+}  // namespace
+
 ClStretch::ClStretch(const kinematics::Model& model, const path::Segment& segment, Follows follows,
                      int branch, const Ends& ends, double gauge_length_mm, const Vec3& origin_mm,
                      double slack_rad, const JointMotion* at_start)
@@ -38,8 +47,10 @@ std::optional<Joints> ClStretch::joints(double fraction) const {
     const auto found = kinematics::inverse_rotary(model_, segment_.axis(fraction), slack_rad_);
     if (found.count == 0) return std::nullopt;
     const auto& solution = found.branch[static_cast<std::size_t>(branch_)];
-    joints.first_rad = solution.first_rad;
-    joints.second_rad = solution.second_rad;
+    joints.first_rad =
+        nearest_turn(solution.first_rad, 0.5 * (ends_.first_from_rad + ends_.first_to_rad));
+    joints.second_rad =
+        nearest_turn(solution.second_rad, 0.5 * (ends_.second_from_rad + ends_.second_to_rad));
   }
   const auto linear =
       kinematics::inverse_linear(model_, segment_.tip_mm(fraction) + origin_mm_, joints.first_rad,
@@ -67,7 +78,10 @@ std::optional<Demand> ClStretch::at(double fraction) const {
   const JointMotion* const found = motion(fraction);
   if (found == nullptr) return std::nullopt;
   const JointMotion& motion = *found;
-  Demand demand{.opening_sine = std::abs(motion.opening_sine()), .axis = motion.axis()};
+  Demand demand{.joints = per_axis(motion.joints()),
+                .opening_sine = std::abs(motion.opening_sine()),
+                .tip_mm = segment_.tip_mm(fraction),
+                .axis = motion.axis()};
   const Vec3 tip_rate_mm = segment_.tip_rate_mm(fraction);
   if (follows_ == Follows::rest) {
     const auto rate = rates_of(motion, tip_rate_mm, rest_rate_rad(), 0.0);
@@ -77,9 +91,23 @@ std::optional<Demand> ClStretch::at(double fraction) const {
   }
   const auto rates = motion.rates({tip_rate_mm, segment_.axis_rate(fraction)});
   if (!rates) return std::nullopt;
-  const Vec3& linear = rates->linear_mm;
-  demand.rate = {linear.x(), linear.y(), linear.z(), rates->first_rad, rates->second_rad};
+  demand.rate = per_axis(*rates);
   return demand;
+}
+
+std::optional<PerAxis> ClStretch::acceleration(double fraction, const Demand& demand) const {
+  const JointMotion* const found = motion(fraction);
+  if (found == nullptr) return std::nullopt;
+  const kinematics::JointRates rates = joint_rates(demand.rate);
+  const Vec3 tip_mm = segment_.tip_acceleration_mm(fraction);
+  if (follows_ == Follows::rest) {
+    const auto linear = found->linear_accelerations_mm(tip_mm, rates, 0.0, 0.0);
+    return linear ? std::optional{per_axis(kinematics::JointRates{.linear_mm = *linear})}
+                  : std::nullopt;
+  }
+  const auto accelerations = found->accelerations({tip_mm, segment_.axis_acceleration(fraction)},
+                                                  segment_.axis_rate(fraction), rates);
+  return accelerations ? std::optional{per_axis(*accelerations)} : std::nullopt;
 }
 
 PerAxis ClStretch::asked(double fraction, const Demand& demand) const {

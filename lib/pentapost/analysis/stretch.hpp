@@ -43,7 +43,10 @@ class ClStretch {
   /// Rates that the tool's motion asks for by itself: both rotary rates of `demand`, which is of
   /// the same fraction, divided by the amplification.
   PerAxis asked(double fraction, const Demand& demand) const;
+  /// At an even feed; nullopt: a singularity.
+  std::optional<PerAxis> acceleration(double fraction, const Demand& demand) const;
   Vec3 axis(double fraction) const { return segment_.axis(fraction); }
+  Vec3 tip_mm(double fraction) const { return segment_.tip_mm(fraction); }
   /// Fractions inside where the tool axis is nearest to the first rotary axis or farthest from it:
   /// there the singularities are nearest.
   std::vector<double> turning_places() const;

@@ -7,47 +7,40 @@ namespace pentapost::analysis {
 
 using kinematics::Singularity;
 
+double slowing(const Place& from, const Place& to) {
+  return 0.5 * (std::max(1.0, from.load.largest()) + std::max(1.0, to.load.largest()));
+}
+
 Survey::Survey(const std::vector<Singularity>& singularities, const Allowance& allowance)
     : allowance_{allowance} {
   for (const Singularity& each : singularities) watched_.push_back({.singularity = each});
 }
 
-PathPlace Survey::place_of(const SurveyedMove& move, double fraction) const {
-  return {.point = move.point,
-          .cl_line = move.cl_line,
-          .s_mm = move.s_from_mm + fraction * move.length_mm,
-          .tip_wp_mm = move.segment->tip_mm(fraction)};
-}
-
 void Survey::take(const SurveyedMove& move, const std::vector<Place>& places) {
   if (places.empty()) return interrupt();
   take_place(move, places.front());
-  const double time_s = move.time_s();
   for (std::size_t i = 1; i < places.size(); ++i) {
     const Place &from = places[i - 1], &to = places[i];
     take_place(move, to);
-    const double share = to.fraction - from.fraction;
-    const double slowing =
-        0.5 * (std::max(1.0, from.load.largest()) + std::max(1.0, to.load.largest()));
-    predicted_time_s_ += share * time_s * slowing;
-    const double lost_s = share * time_s * (slowing - 1.0);
+    const double time_s = (to.fraction - from.fraction) * move.time_s;
+    const Step step{from, to, time_s, time_s * (slowing(from, to) - 1.0)};
+    predicted_time_s_ += step.time_s + step.lost_s;
     const auto both = [&](auto side) { return side(from.load) && side(to.load); };
     const double allowed = allowance_.share;
-    extend(singular_, both([&](const Load& load) { return load.is_singular(allowed); }), move, from,
-           to, lost_s);
+    extend(singular_, both([&](const Load& load) { return load.is_singular(allowed); }), move,
+           step);
     extend(plain_, both([&](const Load& load) { return load.is_plainly_over(allowed); }), move,
-           from, to, lost_s);
+           step);
   }
 }
 
 void Survey::interrupt() { singular_.is_open = plain_.is_open = false; }
 
 void Survey::take_place(const SurveyedMove& move, const Place& place) {
-  const double time_s = move.time_s();
   for (std::size_t i = 0; i < axis_count; ++i) {
-    const double speed = std::abs(place.demand.rate[i]) / time_s;
+    const double speed = std::abs(place.demand.rate[i]) / move.time_s;
     if (speed > peaks_[i].speed)
-      peaks_[i] = {speed, place.load.ratio[i], place_of(move, place.fraction)};
+      peaks_[i] = {speed, place.load.ratio[i], place.demand.opening_sine, move.place(place)};
   }
   approach(move, place);
 }
@@ -60,7 +53,7 @@ void Survey::approach(const SurveyedMove& move, const Place& place) {
     if (!(cosine > each.least_cosine && cosine < each.most_cosine)) continue;
     const double distance = kinematics::distance_rad(each.singularity, place.demand.axis);
     if (closest_ && distance >= closest_->distance_rad) continue;
-    closest_ = Approach{distance, each.singularity.kind, place_of(move, place.fraction)};
+    closest_ = Approach{distance, each.singularity.kind, move.place(place)};
     for (Watched& other : watched_) {
       const double half = other.singularity.half_angle_rad;
       other.least_cosine = half + distance < pi ? std::cos(half + distance) - rounding : -2.0;
@@ -69,22 +62,23 @@ void Survey::approach(const SurveyedMove& move, const Place& place) {
   }
 }
 
-void Survey::extend(Zones& zones, bool is_inside, const SurveyedMove& move, const Place& from,
-                    const Place& to, double lost_s) const {
+void Survey::extend(Zones& zones, bool is_inside, const SurveyedMove& move,
+                    const Step& step) const {
   if (!is_inside) {
     zones.is_open = false;
     return;
   }
   if (!zones.is_open) {
     zones.zones.emplace_back();
-    zones.zones.back().from = place_of(move, from.fraction);
+    zones.zones.back().from = move.place(step.from);
     zones.is_open = true;
-    raise(zones.zones.back(), move, from);
+    raise(zones.zones.back(), move, step.from);
   }
   Zone& zone = zones.zones.back();
-  zone.to = place_of(move, to.fraction);
-  zone.time_lost_s += lost_s;
-  raise(zone, move, to);
+  zone.to = move.place(step.to);
+  zone.programmed_time_s += step.time_s;
+  zone.time_lost_s += step.lost_s;
+  raise(zone, move, step.to);
 }
 
 void Survey::raise(Zone& zone, const SurveyedMove& move, const Place& place) const {
@@ -93,15 +87,16 @@ void Survey::raise(Zone& zone, const SurveyedMove& move, const Place& place) con
   if (ratio > zone.peak_ratio) {
     zone.axis = axis;
     zone.peak_ratio = ratio;
-    zone.peak_speed = std::abs(place.demand.rate[axis]) / move.time_s();
+    zone.peak_speed = std::abs(place.demand.rate[axis]) / move.time_s;
+    zone.opening_sine = place.demand.opening_sine;
   }
-  const double feed = move.feed_mm_min / std::max(1.0, ratio);
+  const double feed = move.feed_mm_min() / std::max(1.0, ratio);
   if (zone.lowest_feed_mm_min == 0.0 || feed < zone.lowest_feed_mm_min)
     zone.lowest_feed_mm_min = feed;
   for (const Watched& each : watched_) {
     const double distance = kinematics::distance_rad(each.singularity, place.demand.axis);
     if (!zone.closest || distance < zone.closest->distance_rad)
-      zone.closest = Approach{distance, each.singularity.kind, place_of(move, place.fraction)};
+      zone.closest = Approach{distance, each.singularity.kind, move.place(place)};
   }
 }
 

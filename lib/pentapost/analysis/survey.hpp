@@ -2,7 +2,6 @@
 
 #include "pentapost/analysis/grid.hpp"
 #include "pentapost/kinematics/singularity.hpp"
-#include "pentapost/path/segment.hpp"
 
 #include <array>
 #include <cstdint>
@@ -11,18 +10,19 @@
 
 namespace pentapost::analysis {
 
-/// A place of the tool path.
+/// A place of the path.
 struct PathPlace {
-  std::uint32_t point = 0;    ///< end of the move that it lies on
-  std::uint32_t cl_line = 0;  ///< of that point
-  double s_mm = 0.0;          ///< length of the tip's path from the first point
+  std::uint32_t point = 0;  ///< end of the move that it lies on: CL point, or NC block
+  std::uint32_t line = 0;   ///< of that point in the CL data or the NC text
+  double s_mm = 0.0;        ///< length of the tip's path from the first point
   Vec3 tip_wp_mm = Vec3::Zero();
 };
 
 /// Largest speed of an axis while the tip moves at the programmed feed.
 struct AxisPeak {
-  double speed = 0.0;  ///< mm/s or rad/s
-  double ratio = 0.0;  ///< over the limit; 0 where there is none
+  double speed = 0.0;         ///< mm/s or rad/s
+  double ratio = 0.0;         ///< over the limit; 0 where there is none
+  double opening_sine = 1.0;  ///< there; see Demand
   PathPlace at;
 };
 
@@ -41,18 +41,25 @@ struct Zone {
   std::optional<Approach> closest;  ///< within the zone; nullopt: the machine has no singularity
   double peak_speed = 0.0;          ///< of that axis, mm/s or rad/s
   double peak_ratio = 0.0;
+  double opening_sine = 1.0;        ///< at the peak; see Demand
   double lowest_feed_mm_min = 0.0;  ///< that the axes can hold all through the zone
+  double programmed_time_s = 0.0;   ///< through the zone
   double time_lost_s = 0.0;         ///< against the programmed feed, by the speed limits
 };
 
 /// A cutting move whose tip moves, as the survey takes it.
 struct SurveyedMove {
-  std::uint32_t point = 0, cl_line = 0;
+  std::uint32_t point = 0, line = 0;
   double s_from_mm = 0.0, length_mm = 0.0;
-  double feed_mm_min = 0.0;
-  const path::Segment* segment = nullptr;  ///< in workpiece coordinates of the CL data
-  double time_s() const { return 60.0 * length_mm / feed_mm_min; }
+  double time_s = 0.0;  ///< at the programmed feed
+  double feed_mm_min() const { return 60.0 * length_mm / time_s; }
+  PathPlace place(const Place& there) const {
+    return {point, line, s_from_mm + there.fraction * length_mm, there.demand.tip_mm};
+  }
 };
+
+/// How many times longer than programmed the way between two places takes by the speed limits.
+double slowing(const Place& from, const Place& to);
 
 /// Collects peaks, zones and times over the moves of a path, in order.
 class Survey {
@@ -68,6 +75,7 @@ class Survey {
   const std::optional<Approach>& closest() const { return closest_; }
   const std::vector<Zone>& singular_zones() const { return singular_.zones; }
   const std::vector<Zone>& plain_zones() const { return plain_.zones; }
+  /// Of all moves so far, slowed down wherever an axis is over its limit.
   double predicted_time_s() const { return predicted_time_s_; }
 
  private:
@@ -75,18 +83,21 @@ class Survey {
     std::vector<Zone> zones;
     bool is_open = false;
   };
-
-  PathPlace place_of(const SurveyedMove& move, double fraction) const;
   /// A singularity, and the cosines between which a tool axis is nearer to one than closest_.
   struct Watched {
     kinematics::Singularity singularity;
     double least_cosine = -2.0, most_cosine = 2.0;
   };
+  /// Between two places.
+  struct Step {
+    const Place &from, &to;
+    double time_s;  ///< at the programmed feed
+    double lost_s;
+  };
 
   void approach(const SurveyedMove& move, const Place& place);
   void take_place(const SurveyedMove& move, const Place& place);
-  void extend(Zones& zones, bool is_inside, const SurveyedMove& move, const Place& from,
-              const Place& to, double lost_s) const;
+  void extend(Zones& zones, bool is_inside, const SurveyedMove& move, const Step& step) const;
   void raise(Zone& zone, const SurveyedMove& move, const Place& place) const;
 
   std::vector<Watched> watched_;

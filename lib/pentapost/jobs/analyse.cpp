@@ -158,7 +158,7 @@ Result<AnalyseReport> analyse(const AnalyseJob& job) {
   warn_of_assumptions(job.job, *prepared);
   auto analysis =
       analysis::analyse_path(prepared->model, prepared->ranges, prepared->read.tool_path,
-                             prepared->settings, job.zone_share);
+                             prepared->settings, {.share = job.zone_share});
   if (!analysis) return std::move(analysis).error();
 
   AnalyseReport report;

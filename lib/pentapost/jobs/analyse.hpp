@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pentapost/analysis/path_analysis.hpp"
+#include "pentapost/analysis/cl_analysis.hpp"
 #include "pentapost/core/diagnostics.hpp"
 #include "pentapost/core/result.hpp"
 #include "pentapost/jobs/post.hpp"

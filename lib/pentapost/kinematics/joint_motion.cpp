@@ -25,7 +25,7 @@ Mat3 turned(bool is_used, const Mat3& matrix, const Turn& turn) {
 }  // namespace
 
 JointMotion::JointMotion(const Model& model, const Joints& joints, double gauge_length_mm)
-    : model_{model}, before_{model.linear_columns[0]} {
+    : model_{model}, joints_{joints}, before_{model.linear_columns[0]} {
   const Turns turn{model, joints.first_rad, joints.second_rad};
   const Vec3& linear = joints.linear_mm;
   between_ = turned(model.has_linear[1], model.linear_columns[1],
@@ -92,15 +92,24 @@ std::optional<JointRates> JointMotion::accelerations(const ToolRates& tool, cons
                                                      const JointRates& rates) const {
   const Vec3& a = model_.a;
   const double alpha = rates.first_rad, beta = rates.second_rad;
-  const Vec3 b_rate = alpha * a.cross(b_);
-  const Vec3 axis_rest =
-      alpha * a.cross(axis_rate) + beta * (b_rate.cross(axis_) + b_.cross(axis_rate));
+  const Vec3 axis_rest = alpha * a.cross(axis_rate) +
+                         beta * (alpha * a.cross(b_).cross(axis_) + b_.cross(axis_rate));
   // The part along the tool axis is the sphere's own; without two joints it must not count.
   Vec3 axis_left = tool.axis - axis_rest;
   axis_left -= axis_left.dot(axis_) * axis_;
   const auto rotary = rotary_rates(axis_left);
   if (!rotary) return std::nullopt;
+  const auto linear = linear_accelerations_mm(tool.tip_mm, rates, rotary->x(), rotary->y());
+  if (!linear) return std::nullopt;
+  return JointRates{*linear, rotary->x(), rotary->y()};
+}
 
+std::optional<Vec3> JointMotion::linear_accelerations_mm(const Vec3& tip_acceleration_mm,
+                                                         const JointRates& rates, double first_rad,
+                                                         double second_rad) const {
+  const Vec3& a = model_.a;
+  const double alpha = rates.first_rad, beta = rates.second_rad;
+  const Vec3 b_rate = alpha * a.cross(b_);
   const Vec3 between_way = between_ * rates.linear_mm, beyond_way = beyond_ * rates.linear_mm;
   const Vec3 second_arm_rate =
       alpha * a.cross(second_arm_mm_) + beta * b_.cross(second_arm_mm_) + beyond_way;
@@ -109,9 +118,7 @@ std::optional<JointRates> JointMotion::accelerations(const ToolRates& tool, cons
   const Vec3 tip_rest = alpha * a.cross(between_way + beyond_way) + beta * b_.cross(beyond_way) +
                         alpha * a.cross(first_arm_rate) + beta * b_rate.cross(second_arm_mm_) +
                         beta * b_.cross(second_arm_rate);
-  const auto linear = linear_rates_mm(tool.tip_mm - tip_rest, rotary->x(), rotary->y());
-  if (!linear) return std::nullopt;
-  return JointRates{*linear, rotary->x(), rotary->y()};
+  return linear_rates_mm(tip_acceleration_mm - tip_rest, first_rad, second_rad);
 }
 
 std::optional<JointRates> joint_rates(const Model& model, const Joints& joints,

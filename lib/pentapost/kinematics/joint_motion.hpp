@@ -50,6 +50,13 @@ class JointMotion {
   std::optional<JointRates> accelerations(const ToolRates& tool, const Vec3& axis_rate,
                                           const JointRates& rates) const;
 
+  /// Accelerations of the linear joints for a tip acceleration, while the rotary joints have these
+  /// accelerations; `rates` are the joints'.
+  std::optional<Vec3> linear_accelerations_mm(const Vec3& tip_acceleration_mm,
+                                              const JointRates& rates, double first_rad,
+                                              double second_rad) const;
+
+  const Joints& joints() const { return joints_; }
   const Vec3& axis() const { return axis_; }
   /// Sine of the triangle's angle at b, signed: 0 at a singularity. 1 where there is no triangle.
   double opening_sine() const { return opening_sine_; }
@@ -58,6 +65,7 @@ class JointMotion {
   std::optional<Eigen::Vector2d> rotary_rates(const Vec3& axis_rate) const;
 
   const Model& model_;
+  Joints joints_;
   Mat3 before_, between_, beyond_;  ///< tip per linear joint, by the joint's place in the chain
   Vec3 b_, axis_;
   Vec3 first_arm_mm_, second_arm_mm_;  ///< from the rotary axes to the tip

@@ -1,4 +1,4 @@
-#include "pentapost/analysis/path_analysis.hpp"
+#include "pentapost/analysis/cl_analysis.hpp"
 
 #include "machines/bundled.hpp"
 #include "pentapost/cl/reader.hpp"
@@ -28,7 +28,7 @@ PathAnalysis analysed(const std::string& cl_file) {
   settings.preferences = machine.preferences;
   settings.axis_tolerance_rad = 0.1 * rad_per_deg;
   const auto analysis = analyse_path(model, plan::joint_ranges(machine.chain, model),
-                                     paper_path(cl_file), settings, 1.0);
+                                     paper_path(cl_file), settings, {});
   EXPECT_TRUE(analysis) << analysis.error().message;
   return *analysis;
 }

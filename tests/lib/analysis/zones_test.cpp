@@ -1,4 +1,4 @@
-#include "pentapost/analysis/path_analysis.hpp"
+#include "pentapost/analysis/cl_analysis.hpp"
 
 #include "machines/bundled.hpp"
 
@@ -30,7 +30,7 @@ struct Cut {
   PathAnalysis analysed(double share = 1.0) const {
     const kinematics::Model model{machine.chain};
     const auto analysis =
-        analyse_path(model, plan::joint_ranges(machine.chain, model), path, settings, share);
+        analyse_path(model, plan::joint_ranges(machine.chain, model), path, settings, {.share = share});
     EXPECT_TRUE(analysis) << analysis.error().message;
     return analysis ? *analysis : PathAnalysis{};
   }

@@ -1,5 +1,6 @@
-#include "pentapost/analysis/path_analysis.hpp"
+#include "pentapost/analysis/cl_analysis.hpp"
 
+#include "pentapost/analysis/recorder.hpp"
 #include "pentapost/analysis/stretch.hpp"
 #include "pentapost/kinematics/inverse.hpp"
 #include "pentapost/plan/choice.hpp"
@@ -57,23 +58,22 @@ class Setting {
 class Walk {
  public:
   Walk(const kinematics::Model& model, const path::ToolPath& tool_path,
-       const plan::Settings& settings, const Allowance& allowance, PathAnalysis& analysis)
+       const plan::Settings& settings, const AnalysisOptions& options)
       : model_{model},
         tool_path_{tool_path},
         settings_{settings},
-        allowance_{allowance},
-        analysis_{analysis},
-        survey_{analysis.singularities, allowance},
+        recorder_{model, settings, options},
         setting_{tool_path} {}
 
   Status run(const plan::Choice& choice, int tool_number, double gauge_length_mm) {
+    if (tool_number != tool_number_) recorder_.begin_operation(tool_number, operation_name());
     tool_number_ = tool_number;
     axis_path_ = &choice.axis_path;
     slack_rad_ = choice.slack_rad;
     gauge_length_mm_ = gauge_length_mm;
     departure_ = axis_path_->departures.begin();
     crossing_ = axis_path_->crossings.begin();
-    survey_.interrupt();
+    recorder_.interrupt();
     met_.reset();
     const std::uint32_t begin = axis_path_->range.begin;
     setting_.advance_to(begin);
@@ -89,13 +89,7 @@ class Walk {
     return ok();
   }
 
-  void finish() {
-    analysis_.closest = survey_.closest();
-    analysis_.peaks = survey_.peaks();
-    analysis_.zones = survey_.singular_zones();
-    analysis_.over_demands = survey_.plain_zones();
-    analysis_.predicted_time_s = survey_.predicted_time_s();
-  }
+  PathAnalysis finish() && { return std::move(recorder_).finish(); }
 
  private:
   const Vec3& tip_mm(std::uint32_t point) const { return tool_path_.tip_wp_mm[point]; }
@@ -111,18 +105,22 @@ class Walk {
   }
 
   Status move_to(std::uint32_t point) {
+    if (setting_.operation() != operation_) {
+      operation_ = setting_.operation();
+      recorder_.begin_operation(tool_number_, operation_name());
+    }
     const path::Segment segment{tip_mm(point - 1), axis(point - 1), tip_mm(point), axis(point),
                                 setting_.arc()};
     const double s_from_mm = s_mm_;
     s_mm_ += segment.length_mm();
     if (tool_path_.move[point] == path::Move::rapid) {
       if (crosses(point)) ++crossing_;
-      reposition(Repositioning::Kind::rapid, point, axis_path_->at(point));
+      reposition(Repositioning::Kind::rapid, point, tip_mm(point - 1), axis_path_->at(point));
       return ok();
     }
     if (segment.length_mm() == 0.0) {
       if (crosses(point)) ++crossing_;
-      reposition(Repositioning::Kind::turn_in_place, point, axis_path_->at(point));
+      turn(Repositioning::Kind::turn_in_place, point, axis_path_->at(point));
       return ok();
     }
     const auto feed_mm_min = setting_.feed_mm_min();
@@ -133,38 +131,22 @@ class Walk {
                                 " has no feed; a FEDRAT before it is needed",
                      .cl_line = line};
     const SurveyedMove move{.point = point,
-                            .cl_line = line,
+                            .line = line,
                             .s_from_mm = s_from_mm,
                             .length_mm = segment.length_mm(),
-                            .feed_mm_min = *feed_mm_min,
-                            .segment = &segment};
-    const double before_s = survey_.predicted_time_s();
-    cut(move);
-    account(move, survey_.predicted_time_s() - before_s);
+                            .time_s = 60.0 * segment.length_mm() / *feed_mm_min};
+    cut(move, segment);
+    recorder_.account(move);
     return ok();
   }
 
-  void account(const SurveyedMove& move, double predicted_s) {
-    const path::Operation* operation = setting_.operation();
-    auto& operations = analysis_.operations;
-    if (operations.empty() || operation != timed_operation_ ||
-        operations.back().tool_number != tool_number_) {
-      operations.push_back(
-          {.tool_number = tool_number_, .operation = operation == nullptr ? "" : operation->name});
-      timed_operation_ = operation;
-    }
-    operations.back().length_mm += move.length_mm;
-    operations.back().programmed_time_s += move.time_s();
-    operations.back().predicted_time_s += predicted_s;
-    analysis_.length_mm += move.length_mm;
-    analysis_.programmed_time_s += move.time_s();
-  }
+  std::string operation_name() const { return operation_ == nullptr ? "" : operation_->name; }
 
   bool crosses(std::uint32_t point) const {
     return crossing_ != axis_path_->crossings.end() && crossing_->point == point;
   }
 
-  void cut(const SurveyedMove& move) {
+  void cut(const SurveyedMove& move, const path::Segment& segment) {
     using Follows = ClStretch::Follows;
     const RotaryPair& arrival = axis_path_->at(move.point);
     const auto ends = [](double from, double to, const RotaryPair& before,
@@ -174,30 +156,34 @@ class Walk {
     };
     if (crosses(move.point)) {
       const AxisPath::Crossing& crossing = *crossing_++;
-      survey(move, Follows::branch, crossing.branch_before,
+      survey(move, segment, Follows::branch, crossing.branch_before,
              ends(0.0, crossing.fraction, rotary_, crossing.before));
       if (!(crossing.before == crossing.after)) {
-        rotary_ = crossing.before;
-        reposition(Repositioning::Kind::turn_in_place, move.point, crossing.after);
+        recorder_.reposition(
+            Repositioning::Kind::turn_in_place,
+            {move.point, move.line, move.s_from_mm + crossing.fraction * move.length_mm,
+             segment.tip_mm(crossing.fraction)},
+            joints(segment.tip_mm(crossing.fraction), crossing.before),
+            joints(segment.tip_mm(crossing.fraction), crossing.after));
       }
-      survey(move, Follows::branch, crossing.branch_after,
+      survey(move, segment, Follows::branch, crossing.branch_after,
              ends(crossing.fraction, 1.0, crossing.after, arrival));
       return;
     }
     const std::uint8_t branch = axis_path_->branch[move.point - axis_path_->range.begin];
     const bool rests = branch == AxisPath::at_rest;
-    survey(move, rests ? Follows::rest : Follows::branch, rests ? 0 : branch,
+    survey(move, segment, rests ? Follows::rest : Follows::branch, rests ? 0 : branch,
            ends(0.0, 1.0, rotary_, arrival));
   }
 
-  void survey(const SurveyedMove& move, ClStretch::Follows follows, int branch,
-              const ClStretch::Ends& ends) {
+  void survey(const SurveyedMove& move, const path::Segment& segment, ClStretch::Follows follows,
+              int branch, const ClStretch::Ends& ends) {
     // Stretches that follow each other share the joints' motion where they meet.
     const bool goes_on = met_ && met_first_rad_ == ends.first_from_rad &&
                          met_second_rad_ == ends.second_from_rad && met_s_mm_ == move.s_from_mm &&
                          ends.fraction_from == 0.0;
     const ClStretch stretch{model_,
-                            *move.segment,
+                            segment,
                             follows,
                             branch,
                             ends,
@@ -205,8 +191,7 @@ class Walk {
                             settings_.origin_mm,
                             slack_rad_,
                             goes_on ? &*met_ : nullptr};
-    Grid{stretch, move.time_s(), allowance_}.fill(places_);
-    survey_.take(move, places_);
+    recorder_.cut(stretch, move);
     met_.reset();
     if (!stretch.at_end() || ends.fraction_to != 1.0) return;
     met_.emplace(*stretch.at_end());
@@ -219,85 +204,53 @@ class Walk {
   void depart(std::uint32_t point) {
     for (; departure_ != axis_path_->departures.end() && departure_->point == point; ++departure_) {
       if (departure_->inside) continue;
-      reposition(
-          departure_->retract ? Repositioning::Kind::retract : Repositioning::Kind::turn_in_place,
-          point, departure_->pair);
+      turn(departure_->retract ? Repositioning::Kind::retract : Repositioning::Kind::turn_in_place,
+           point, departure_->pair);
       rotary_ = departure_->pair;
     }
   }
 
-  void reposition(Repositioning::Kind kind, std::uint32_t point, const RotaryPair& to) {
-    survey_.interrupt();
-    analysis_.repositionings.push_back({kind, place(point), time_s(kind, point, to)});
+  void turn(Repositioning::Kind kind, std::uint32_t point, const RotaryPair& to) {
+    reposition(kind, point, tip_mm(point), to);
   }
 
-  std::optional<double> time_s(Repositioning::Kind kind, std::uint32_t point,
-                               const RotaryPair& to) const {
-    PerAxis way{};
-    way[first_axis] = to.first_rad - rotary_.first_rad;
-    way[second_axis] = to.second_rad - rotary_.second_rad;
-    const Vec3& tip_from_mm =
-        kind == Repositioning::Kind::rapid ? tip_mm(point - 1) : tip_mm(point);
-    const auto from = linear_mm(tip_from_mm, rotary_), until = linear_mm(tip_mm(point), to);
-    if (!from || !until) return std::nullopt;
-    for (std::size_t i = 0; i < first_axis; ++i)
-      way[i] = (*until - *from)[static_cast<Eigen::Index>(i)];
-    std::optional<double> time;
-    constexpr double no_way = 1e-9;
-    for (std::size_t i = 0; i < axis_count; ++i)
-      if (std::abs(way[i]) > no_way && allowance_.limits[i])
-        time = std::max(time.value_or(0.0), std::abs(way[i]) / *allowance_.limits[i]);
-    return time;
+  void reposition(Repositioning::Kind kind, std::uint32_t point, const Vec3& tip_from_mm,
+                  const RotaryPair& to) {
+    recorder_.reposition(kind, place(point), joints(tip_from_mm, rotary_),
+                         joints(tip_mm(point), to));
   }
 
-  std::optional<Vec3> linear_mm(const Vec3& tip_mm, const RotaryPair& rotary) const {
-    return kinematics::inverse_linear(model_, tip_mm + settings_.origin_mm, rotary.first_rad,
-                                      rotary.second_rad, gauge_length_mm_);
+  std::optional<PerAxis> joints(const Vec3& tip_mm, const RotaryPair& rotary) const {
+    const auto linear =
+        kinematics::inverse_linear(model_, tip_mm + settings_.origin_mm, rotary.first_rad,
+                                   rotary.second_rad, gauge_length_mm_);
+    if (!linear) return std::nullopt;
+    return per_axis(kinematics::Joints{*linear, rotary.first_rad, rotary.second_rad});
   }
 
   const kinematics::Model& model_;
   const path::ToolPath& tool_path_;
   const plan::Settings& settings_;
-  const Allowance& allowance_;
-  PathAnalysis& analysis_;
-  Survey survey_;
+  Recorder recorder_;
   Setting setting_;
-  const path::Operation* timed_operation_ = nullptr;
-  int tool_number_ = 1;
+  const path::Operation* operation_ = nullptr;  ///< as recorded
+  int tool_number_ = 0;                         ///< 0: none yet
   const AxisPath* axis_path_ = nullptr;
   double slack_rad_ = 0.0, gauge_length_mm_ = 0.0;
   std::vector<AxisPath::Departure>::const_iterator departure_;
   std::vector<AxisPath::Crossing>::const_iterator crossing_;
   RotaryPair rotary_;
   double s_mm_ = 0.0;
-  std::vector<Place> places_;
   std::optional<kinematics::JointMotion> met_;
   double met_first_rad_ = 0.0, met_second_rad_ = 0.0, met_s_mm_ = 0.0;
 };
 
 }  // namespace
 
-SpeedLimits speed_limits(const kinematics::Model& model, const plan::Settings& settings) {
-  SpeedLimits limits;
-  const auto limit_of = [&](const std::string& name) -> std::optional<double> {
-    const auto found = settings.limits.find(name);
-    return found == settings.limits.end() ? std::nullopt : found->second.max_speed;
-  };
-  for (std::size_t i = 0; i < first_axis; ++i) limits[i] = limit_of(model.linear_names[i]);
-  for (int i = 0; i < model.rotary_count; ++i) {
-    const auto index = static_cast<std::size_t>(i);
-    limits[first_axis + index] = limit_of(model.rotary_names[index]);
-  }
-  return limits;
-}
-
 Result<PathAnalysis> analyse_path(const kinematics::Model& model, const plan::JointRanges& ranges,
                                   const path::ToolPath& tool_path, const plan::Settings& settings,
-                                  double share) {
-  PathAnalysis analysis;
-  analysis.singularities = kinematics::singularities(model);
-  const Allowance allowance{speed_limits(model, settings), share};
-  Walk walk{model, tool_path, settings, allowance, analysis};
+                                  const AnalysisOptions& options) {
+  Walk walk{model, tool_path, settings, options};
   for (const plan::Sequence& sequence : plan::sequences(tool_path)) {
     const auto gauge = settings.gauge_length_mm.find(sequence.tool_number);
     const bool gauge_known = gauge != settings.gauge_length_mm.end();
@@ -308,8 +261,7 @@ Result<PathAnalysis> analyse_path(const kinematics::Model& model, const plan::Jo
     if (auto status = walk.run(*choice, sequence.tool_number, gauge_mm); !status)
       return std::move(status).error();
   }
-  walk.finish();
-  return analysis;
+  return std::move(walk).finish();
 }
 
 }  // namespace pentapost::analysis

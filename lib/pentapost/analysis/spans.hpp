@@ -1,0 +1,29 @@
+#pragma once
+
+#include "pentapost/analysis/grid.hpp"
+#include "pentapost/core/units.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace pentapost::analysis {
+
+/// How far the joints go. mm, rad.
+class Spans {
+ public:
+  /// The places of one stretch, as a Grid gives them.
+  void take(const std::vector<Place>& places);
+  /// Values between the stretches.
+  void take(const PerAxis& joints);
+
+  /// nullopt: nothing was taken.
+  const std::optional<std::array<Range<double>, axis_count>>& of_axes() const { return spans_; }
+
+ private:
+  void widen(std::size_t axis, double joint);
+
+  std::optional<std::array<Range<double>, axis_count>> spans_;
+};
+
+}  // namespace pentapost::analysis
