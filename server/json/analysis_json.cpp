@@ -43,6 +43,7 @@ void write_summary(JsonWriter& writer, const jobs::AnalyseReport& report) {
   writer.key("length_mm").number(report.length_mm);
   writer.key("programmed_time_s").number(report.programmed_time_s);
   writer.key("predicted_time_s").number(report.predicted_time_s);
+  writer.key("repositioning_time_s").number(report.repositioning_time_s);
   if (report.closest_approach_deg)
     writer.key("closest_approach_deg").number(*report.closest_approach_deg);
   if (report.peak_ratio) writer.key("peak_ratio").number(*report.peak_ratio);
@@ -63,13 +64,41 @@ void write_operations(JsonWriter& writer, const jobs::AnalyseReport& report) {
   writer.end_array();
 }
 
+void write_tools(JsonWriter& writer, const jobs::AnalyseReport& report) {
+  writer.key("tools").begin_object();
+  for (const auto& [number, tool] : report.tools) {
+    writer.key(std::to_string(number)).begin_object();
+    writer.key("length_mm").number(tool.length_mm);
+    writer.key("programmed_time_s").number(tool.programmed_time_s);
+    writer.key("predicted_time_s").number(tool.predicted_time_s);
+    writer.end_object();
+  }
+  writer.end_object();
+}
+
+/// "peak_deg_s" or "peak_mm_s".
+std::string in_unit(bool rotary, std::string_view name, std::string_view per = "") {
+  return std::string{name}.append(rotary ? "_deg" : "_mm").append(per);
+}
+
 void write_axes(JsonWriter& writer, const jobs::AnalyseReport& report) {
   writer.key("axes").begin_object();
   for (const auto& axis : report.axes) {
     writer.key(axis.name).begin_object();
-    writer.key(axis.rotary ? "peak_deg_s" : "peak_mm_s").number(axis.peak_speed);
-    if (axis.speed_limit)
-      writer.key(axis.rotary ? "limit_deg_s" : "limit_mm_s").number(*axis.speed_limit);
+    const auto number = [&](std::string_view name, std::string_view per,
+                            const std::optional<double>& value) {
+      if (value) writer.key(in_unit(axis.rotary, name, per)).number(*value);
+    };
+    if (axis.span) {
+      number("min", "", axis.span->lower);
+      number("max", "", axis.span->upper);
+    }
+    number("peak", "_s", axis.peak_speed);
+    number("asked", "_s", axis.asked_speed);
+    if (axis.amplification) writer.key("amplification").number(*axis.amplification);
+    number("limit", "_s", axis.speed_limit);
+    number("peak", "_s2", axis.peak_acceleration);
+    number("limit", "_s2", axis.acceleration_limit);
     if (axis.peak_ratio) writer.key("peak_ratio").number(*axis.peak_ratio);
     if (axis.peak_at) write_place(writer.key("peak_at"), *axis.peak_at);
     writer.end_object();
@@ -77,23 +106,46 @@ void write_axes(JsonWriter& writer, const jobs::AnalyseReport& report) {
   writer.end_object();
 }
 
-void write_zones(JsonWriter& writer, std::string_view key,
-                 const std::vector<jobs::ZoneReport>& zones) {
+std::string_view name_of(jobs::Cure::Kind kind) {
+  if (kind == jobs::Cure::Kind::feed) return "feed";
+  return kind == jobs::Cure::Kind::solution ? "solution" : "axis-change";
+}
+
+void write_cures(JsonWriter& writer, const std::vector<jobs::Cure>& cures) {
+  writer.key("cures").begin_array();
+  for (const auto& cure : cures) {
+    writer.begin_object();
+    writer.key("kind").string(name_of(cure.kind));
+    if (cure.kind == jobs::Cure::Kind::feed) writer.key("feed_mm_min").number(cure.feed_mm_min);
+    if (cure.kind == jobs::Cure::Kind::axis_change)
+      writer.key("pole_axis_deg").number(cure.axis_change_deg);
+    writer.key("peak_ratio").number(cure.peak_ratio);
+    writer.key("time_lost_s").number(cure.time_lost_s);
+    writer.end_object();
+  }
+  writer.end_array();
+}
+
+void write_zones(JsonWriter& writer, std::string_view key, const jobs::ZonesReport& report) {
   writer.key(key).begin_array();
-  for (const auto& zone : zones) {
+  for (const auto& zone : report.zones) {
     writer.begin_object();
     if (zone.kind) writer.key("kind").string(name_of(*zone.kind));
     writer.key("axis").string(zone.axis);
     write_place(writer.key("from"), zone.from);
     write_place(writer.key("to"), zone.to);
     if (zone.closest_deg) writer.key("closest_deg").number(*zone.closest_deg);
-    writer.key(zone.rotary ? "peak_deg_s" : "peak_mm_s").number(zone.peak_speed);
+    writer.key(in_unit(zone.rotary, "peak", "_s")).number(zone.peak_speed);
     writer.key("peak_ratio").number(zone.peak_ratio);
+    if (zone.amplification) writer.key("amplification").number(*zone.amplification);
     writer.key("lowest_feed_mm_min").number(zone.lowest_feed_mm_min);
+    writer.key("programmed_time_s").number(zone.programmed_time_s);
     writer.key("time_lost_s").number(zone.time_lost_s);
+    if (zone.kind) write_cures(writer, zone.cures);
     writer.end_object();
   }
   writer.end_array();
+  writer.key(std::string{key}.append("_total")).integer(report.total);
 }
 
 void write_repositionings(JsonWriter& writer, const jobs::AnalyseReport& report) {
@@ -122,6 +174,50 @@ void write_singular_directions(JsonWriter& writer, const jobs::AnalyseReport& re
   writer.end_array();
 }
 
+void write_numbers(JsonWriter& writer, const std::vector<double>& numbers) {
+  writer.begin_array();
+  for (const double number : numbers) writer.number(number);
+  writer.end_array();
+}
+
+void write_numbers(JsonWriter& writer, const std::vector<std::optional<double>>& numbers) {
+  writer.begin_array();
+  for (const auto& number : numbers) {
+    if (number)
+      writer.number(*number);
+    else
+      writer.null();
+  }
+  writer.end_array();
+}
+
+void write_samples(JsonWriter& writer, const jobs::SampleColumns& samples) {
+  writer.key("samples").begin_object();
+  write_numbers(writer.key("s_mm"), samples.s_mm);
+  writer.key("cl_line").begin_array();
+  for (const auto line : samples.line) writer.integer(line);
+  writer.end_array();
+  writer.key("goes_on").begin_array();
+  for (const bool goes_on : samples.goes_on) writer.boolean(goes_on);
+  writer.end_array();
+  write_numbers(writer.key("feed_mm_min"), samples.feed_mm_min);
+  write_numbers(writer.key("amplification"), samples.amplification);
+  writer.key("axis_vectors").begin_array();
+  for (const auto& axis : samples.axis) write_vector(writer, axis);
+  writer.end_array();
+  writer.key("axes").begin_object();
+  for (const auto& axis : samples.axes) {
+    writer.key(axis.name).begin_object();
+    if (!axis.position.empty())
+      write_numbers(writer.key(in_unit(axis.rotary, "position")), axis.position);
+    write_numbers(writer.key(in_unit(axis.rotary, "speed", "_s")), axis.speed);
+    write_numbers(writer.key(in_unit(axis.rotary, "acceleration", "_s2")), axis.acceleration);
+    writer.end_object();
+  }
+  writer.end_object();
+  writer.end_object();
+}
+
 }  // namespace
 
 std::string analysis_json(const jobs::AnalyseReport& report) {
@@ -132,11 +228,13 @@ std::string analysis_json(const jobs::AnalyseReport& report) {
   write_cl(writer, report);
   write_summary(writer, report);
   write_operations(writer, report);
+  write_tools(writer, report);
   write_axes(writer, report);
   write_zones(writer, "zones", report.zones);
   write_zones(writer, "over_demands", report.over_demands);
   write_repositionings(writer, report);
   write_singular_directions(writer, report);
+  if (report.samples) write_samples(writer, *report.samples);
   write_diagnostics(writer, report.diagnostics);
   writer.end_object();
   return text;

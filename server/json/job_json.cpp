@@ -30,6 +30,7 @@ constexpr Domain axis_domain{
 constexpr auto setup_angle_domain =
     Domain::between(-jobs::largest_setup_angle_deg, jobs::largest_setup_angle_deg);
 
+constexpr std::size_t default_samples = 2000;
 /// A key of POST /analyse alone.
 constexpr auto zone_share_key = "zone_share"sv;
 
@@ -101,6 +102,7 @@ class JobReader {
   void read_post(const Object& job, jobs::PostOptions& post);
   void read_prefer(const Object& prefer, jobs::PostOptions& post);
   void read_limits(const Object& job, jobs::PostJob& result);
+  void read_analysis(const Object& job, jobs::AnalyseJob& result);
 
   json::Document& document_;
   const JobParts& parts_;
@@ -362,6 +364,17 @@ void JobReader::read_limits(const Object& job, jobs::PostJob& result) {
   }
 }
 
+void JobReader::read_analysis(const Object& job, jobs::AnalyseJob& result) {
+  result.zone_share = number(zone_share_key, job, Domain::positive()).value_or(result.zone_share);
+  const bool wanted = job.optional_boolean("samples").value_or(false);
+  const auto most =
+      job.optional_integer("max_samples", static_cast<std::int64_t>(analysis::Samples::fewest),
+                           static_cast<std::int64_t>(jobs::AnalyseJob::most_samples));
+  if (most && !wanted)
+    fail(Code::conflicting_keys, "/max_samples", "it belongs to samples, and none are asked for");
+  if (wanted) result.samples = most ? static_cast<std::size_t>(*most) : default_samples;
+}
+
 Result<jobs::AnalyseJob> JobReader::read() {
   const auto job = document_.object();
   if (document_.problem()) return *document_.problem();
@@ -377,8 +390,7 @@ Result<jobs::AnalyseJob> JobReader::read() {
   read_tolerances(job, result.tolerances);
   read_post(job, result.post);
   read_limits(job, result);
-  if (operation_ == Operation::analyse)
-    answer.zone_share = number(zone_share_key, job, Domain::positive()).value_or(answer.zone_share);
+  if (operation_ == Operation::analyse) read_analysis(job, answer);
   job.finish();
   if (!parts_.cl && !job.has("cl") && !job.has("path"))
     fail(Code::missing_key, "/cl", "a job has exactly one of cl and path");

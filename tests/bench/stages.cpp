@@ -1,6 +1,6 @@
 #include "stages.hpp"
 
-#include "pentapost/analysis/path_analysis.hpp"
+#include "pentapost/analysis/cl_analysis.hpp"
 #include "pentapost/cl/reader.hpp"
 #include "pentapost/kinematics/inverse.hpp"
 #include "pentapost/nc/dialect.hpp"
@@ -138,7 +138,7 @@ void Stages::make_motion() {
 
 std::size_t Stages::read_and_analyse(const std::string& cl) const {
   const auto analysis =
-      taken(analysis::analyse_path(model_, joint_ranges_, read_path(cl), settings_, 1.0));
+      taken(analysis::analyse_path(model_, joint_ranges_, read_path(cl), settings_, {}));
   return analysis.zones.size();
 }
 

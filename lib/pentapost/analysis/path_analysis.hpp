@@ -42,6 +42,8 @@ struct PathAnalysis {
   std::vector<kinematics::Singularity> singularities;  ///< in workpiece coordinates of the setup
   std::optional<Approach> closest;                     ///< over all cutting moves
   std::array<AxisPeak, axis_count> peaks{};            ///< over all cutting moves
+  /// Largest inside the moves at an even feed, mm/s^2 or rad/s^2; nullopt: not asked for.
+  std::optional<PerAxis> peak_accelerations;
   Spans spans;                                         ///< over all moves
   std::vector<Zone> zones;                             ///< caused by a singularity
   std::vector<Zone> over_demands;                      ///< not caused by one

@@ -41,27 +41,33 @@ void Samples::keep_extremes(const Row& row) {
   }
 }
 
-/// Doubles the runs until half of the rows are free again, or no more can be.
+/// Doubles the runs until half of the rows are free again: a run keeps at most one row more than
+/// there are axes.
 void Samples::thin() {
-  while (rows_.size() > most_rows_ / 2 && run_length_ < count_) {
+  keep_of_runs();
+  while (rows_.size() > most_rows_ / 2) {
     run_length_ *= 2;
-    std::vector<Row> kept;
-    for (std::size_t begin = 0; begin < rows_.size();) {
-      const std::uint64_t run = rows_[begin].number / run_length_;
-      std::size_t end = begin;
-      std::array<std::size_t, axis_count> fastest;
-      fastest.fill(begin);
-      for (; end < rows_.size() && rows_[end].number / run_length_ == run; ++end)
-        for (std::size_t i = 0; i < axis_count; ++i)
-          if (std::abs(rows_[end].sample.speed[i]) > std::abs(rows_[fastest[i]].sample.speed[i]))
-            fastest[i] = end;
-      for (std::size_t row = begin; row < end; ++row)
-        if (row == begin || std::find(fastest.begin(), fastest.end(), row) != fastest.end())
-          kept.push_back(rows_[row]);
-      begin = end;
-    }
-    rows_ = std::move(kept);
+    keep_of_runs();
   }
+}
+
+void Samples::keep_of_runs() {
+  std::vector<Row> kept;
+  for (std::size_t begin = 0; begin < rows_.size();) {
+    const std::uint64_t run = rows_[begin].number / run_length_;
+    std::size_t end = begin;
+    std::array<std::size_t, axis_count> fastest;
+    fastest.fill(begin);
+    for (; end < rows_.size() && rows_[end].number / run_length_ == run; ++end)
+      for (std::size_t i = 0; i < axis_count; ++i)
+        if (std::abs(rows_[end].sample.speed[i]) > std::abs(rows_[fastest[i]].sample.speed[i]))
+          fastest[i] = end;
+    for (std::size_t row = begin; row < end; ++row)
+      if (row == begin || std::find(fastest.begin(), fastest.end(), row) != fastest.end())
+        kept.push_back(rows_[row]);
+    begin = end;
+  }
+  rows_ = std::move(kept);
 }
 
 std::vector<Sample> Samples::finish() && {

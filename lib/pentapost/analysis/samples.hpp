@@ -46,6 +46,7 @@ class Samples {
     Sample sample;
   };
   void thin();
+  void keep_of_runs();
   void keep_extremes(const Row& row);
 
   std::size_t most_rows_;

@@ -72,6 +72,8 @@ class Survey {
   void interrupt();
 
   const std::array<AxisPeak, axis_count>& peaks() const { return peaks_; }
+  /// Largest of each axis, mm/s^2 or rad/s^2; nullopt: no place had any.
+  const std::optional<PerAxis>& peak_accelerations() const { return peak_accelerations_; }
   const std::optional<Approach>& closest() const { return closest_; }
   const std::vector<Zone>& singular_zones() const { return singular_.zones; }
   const std::vector<Zone>& plain_zones() const { return plain_.zones; }
@@ -103,6 +105,7 @@ class Survey {
   std::vector<Watched> watched_;
   Allowance allowance_;
   std::array<AxisPeak, axis_count> peaks_{};
+  std::optional<PerAxis> peak_accelerations_;
   std::optional<Approach> closest_;
   Zones singular_, plain_;
   double predicted_time_s_ = 0.0;

@@ -1,6 +1,4 @@
-#include "pentapost/analysis/cl_analysis.hpp"
-
-#include "machines/bundled.hpp"
+#include "lib/analysis/cut.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,40 +9,8 @@ namespace pentapost::analysis {
 namespace {
 
 using kinematics::SingularityKind;
-
-/// A cut of 1 mm steps along X on a bundled machine.
-struct Cut {
-  explicit Cut(const std::string& name) : machine{sample::bundled_machine(name)} {
-    settings.limits = machine.limits;
-    settings.preferences = machine.preferences;
-    path.add_event(1, path::FeedRate{.value = 2000.0});
-  }
-  void to(const Vec3& axis) {
-    const auto count = static_cast<std::uint32_t>(path.size());
-    path.add_point({static_cast<double>(count), 0.0, 0.0}, axis.normalized(), count + 2,
-                   count == 0 ? path::Move::rapid : path::Move::feed);
-  }
-  void limit(const std::string& axis, double deg_s) {
-    settings.limits[axis].max_speed = deg_s * rad_per_deg;
-  }
-  PathAnalysis analysed(double share = 1.0) const {
-    const kinematics::Model model{machine.chain};
-    const auto analysis =
-        analyse_path(model, plan::joint_ranges(machine.chain, model), path, settings, {.share = share});
-    EXPECT_TRUE(analysis) << analysis.error().message;
-    return analysis ? *analysis : PathAnalysis{};
-  }
-
-  machine::Definition machine;
-  plan::Settings settings;
-  path::ToolPath path;
-};
-
-/// Tool axis at `tilt_deg` from Z towards `azimuth_deg`.
-Vec3 tilted(double tilt_deg, double azimuth_deg) {
-  const double tilt = tilt_deg * rad_per_deg, azimuth = azimuth_deg * rad_per_deg;
-  return {std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth), std::cos(tilt)};
-}
+using sample::Cut;
+using sample::tilted;
 
 /// Past the highest tilt of a 45 deg nutating table, where K = 0: the tool axis all but horizontal.
 TEST(Zones, ANutatingTableHasOneAtTheBoundaryOfItsReach) {
@@ -163,7 +129,7 @@ TEST(Zones, AShareOfTheLimitWidensThem) {
   Cut cut{"hermle-c600u"};
   for (int i = -25; i <= 25; ++i) cut.to({0.01 * i, 0.02, 1.0});
   const auto width = [&](double share) {
-    const PathAnalysis analysis = cut.analysed(share);
+    const PathAnalysis analysis = cut.analysed({.share = share});
     return analysis.zones.empty() ? 0.0 : analysis.zones[0].to.s_mm - analysis.zones[0].from.s_mm;
   };
   EXPECT_GT(width(0.1), width(0.2));

@@ -48,8 +48,8 @@ TEST(AnalyseCripps, FindsTheZoneOfTheOriginalPath) {
   EXPECT_NEAR(c.peak_speed, 198.9 * 6.0, 0.6);
   EXPECT_NEAR(c.speed_limit.value(), 150.0, 1e-9);
   EXPECT_NEAR(c.peak_at.value().tip_wp_mm.x(), 25.0, 1e-3);
-  ASSERT_EQ(report.zones.size(), 1U);
-  const auto& zone = report.zones.front();
+  ASSERT_EQ(report.zones.zones.size(), 1U);
+  const auto& zone = report.zones.zones.front();
   EXPECT_EQ(zone.kind, SingularityKind::pole);
   EXPECT_EQ(zone.axis, "C");
   EXPECT_NEAR(zone.from.tip_wp_mm.x(), 21.61, 0.05);
@@ -62,7 +62,7 @@ TEST(AnalyseCripps, FindsNoZoneInTheReorientedPath) {
   const auto report = analysed(cripps_job("cripps-2017-reoriented.cl"));
   EXPECT_NEAR(report.closest_approach_deg.value(), 11.000, 0.0005);
   EXPECT_NEAR(axis(report, "C").peak_speed, 18.2 * 6.0, 0.6);
-  EXPECT_TRUE(report.zones.empty());
+  EXPECT_TRUE(report.zones.zones.empty());
 }
 
 /// A theta_x of -10 deg turns the part by +10 deg about +x. Where the path is nearest to the pole
@@ -72,7 +72,7 @@ TEST(AnalyseSetup, TurnsThePathAwayFromThePole) {
   job.job.setup.theta_x_deg = -10.0;
   const auto report = analysed(job);
   EXPECT_NEAR(report.closest_approach_deg.value(), 11.000, 0.0005);
-  EXPECT_TRUE(report.zones.empty());
+  EXPECT_TRUE(report.zones.zones.empty());
 }
 
 /// Places and singular directions are those of the part, however it is clamped: turned by +10 deg
@@ -119,7 +119,7 @@ TEST(AnalyseThreeAxes, HaveNoSingularity) {
                             sample::cl_program("GOTO/0,0,0,0,0,1\nGOTO/30,40,0,0,0,1\n"))};
   const auto report = analysed(job);
   EXPECT_TRUE(report.singular_directions.empty());
-  EXPECT_TRUE(report.zones.empty());
+  EXPECT_TRUE(report.zones.zones.empty());
   EXPECT_EQ(report.closest_approach_deg, std::nullopt);
   ASSERT_EQ(report.axes.size(), 3U);
   EXPECT_NEAR(report.length_mm, 50.0, 1e-12);
@@ -131,20 +131,21 @@ TEST(AnalyseThreeAxes, HaveNoSingularity) {
 /// The axis turns by 16.26 deg over 10 mm in the plane of A alone: no amplification.
 TEST(AnalyseOverDemand, IsNoZone) {
   const auto report = analysed(tilt_job("hermle-c600u", 12000.0));
-  EXPECT_TRUE(report.zones.empty());
-  ASSERT_EQ(report.over_demands.size(), 1U);
-  EXPECT_EQ(report.over_demands[0].axis, "A");
-  EXPECT_EQ(report.over_demands[0].kind, std::nullopt);
-  EXPECT_NEAR(report.over_demands[0].peak_speed, 16.2602047083 / 0.05, 1e-6);
-  EXPECT_NEAR(report.over_demands[0].lowest_feed_mm_min, 12000.0 * 150.0 / 325.204094166, 1e-3);
+  EXPECT_TRUE(report.zones.zones.empty());
+  ASSERT_EQ(report.over_demands.zones.size(), 1U);
+  EXPECT_EQ(report.over_demands.zones[0].axis, "A");
+  EXPECT_EQ(report.over_demands.zones[0].kind, std::nullopt);
+  EXPECT_NEAR(report.over_demands.zones[0].peak_speed, 16.2602047083 / 0.05, 1e-6);
+  EXPECT_NEAR(report.over_demands.zones[0].lowest_feed_mm_min, 12000.0 * 150.0 / 325.204094166,
+              1e-3);
 }
 
 TEST(AnalyseZoneShare, WidensAndNarrowsZones) {
   auto job = cripps_job("cripps-2017-original.cl");
   job.zone_share = 0.5;
-  EXPECT_LT(analysed(job).zones.at(0).from.tip_wp_mm.x(), 21.0);
+  EXPECT_LT(analysed(job).zones.zones.at(0).from.tip_wp_mm.x(), 21.0);
   job.zone_share = 8.0;
-  EXPECT_TRUE(analysed(job).zones.empty());
+  EXPECT_TRUE(analysed(job).zones.zones.empty());
 }
 
 TEST(AnalyseZoneShare, IsAboveZero) {
