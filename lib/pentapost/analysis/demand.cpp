@@ -26,7 +26,11 @@ std::optional<PerAxis> rates_of(const kinematics::JointMotion& motion, const Vec
   return PerAxis{linear->x(), linear->y(), linear->z(), first_rad, second_rad};
 }
 
-double Load::largest() const { return *std::max_element(ratio.begin(), ratio.end()); }
+double Load::largest() const {
+  double largest = 0.0;
+  for (const double each : ratio) largest = std::max(largest, each);
+  return largest;
+}
 
 std::size_t Load::largest_axis() const {
   return static_cast<std::size_t>(std::max_element(ratio.begin(), ratio.end()) - ratio.begin());
@@ -43,10 +47,16 @@ bool Load::is_plainly_over(double share) const {
                      [share](double each) { return each > share; });
 }
 
-PerAxis ratios_of(const PerAxis& rate, double time_s, const SpeedLimits& limits) {
+Allowance::Allowance(const SpeedLimits& limits, double allowed_share) : share{allowed_share} {
+  for (std::size_t i = 0; i < axis_count; ++i)
+    if (limits[i]) time_per_way_s[i] = 1.0 / *limits[i];
+}
+
+PerAxis ratios_of(const PerAxis& rate, double time_s, const Allowance& allowance) {
+  const double moves_per_s = 1.0 / time_s;
   PerAxis ratios{};
   for (std::size_t i = 0; i < axis_count; ++i)
-    if (limits[i]) ratios[i] = std::abs(rate[i]) / (time_s * *limits[i]);
+    ratios[i] = std::abs(rate[i]) * moves_per_s * allowance.time_per_way_s[i];
   return ratios;
 }
 

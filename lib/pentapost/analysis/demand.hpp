@@ -52,7 +52,14 @@ struct Load {
   /// Whether an axis is over `share` of its limit by what the tool's motion asks for alone.
   bool is_plainly_over(double share) const;
 };
+/// What the load is held against.
+struct Allowance {
+  Allowance(const SpeedLimits& limits, double allowed_share);
+  PerAxis time_per_way_s{};  ///< least, by the speed limits, per mm or rad; 0: no limit
+  double share;              ///< of a limit, from which a stretch counts as a zone
+};
+
 /// Rates over limits.
-PerAxis ratios_of(const PerAxis& rate, double time_s, const SpeedLimits& limits);
+PerAxis ratios_of(const PerAxis& rate, double time_s, const Allowance& allowance);
 
 }  // namespace pentapost::analysis

@@ -19,14 +19,9 @@ struct Place {
   std::optional<PerAxis> acceleration = {};
 };
 
-/// What the load is held against.
-struct Allowance {
-  SpeedLimits limits;
-  double share = 1.0;  ///< of a limit, from which a stretch counts as a zone
-};
-
-/// Places of one stretch, so dense that between neighbours no rate leaves the line between them by
-/// more than 0.1 percent of itself, and that no place between them changes sides of the allowance.
+/// Places of one stretch, whose turning_places() are in order, so dense that between neighbours no
+/// rate leaves the line between them by more than 0.1 percent of itself, and that no place between
+/// them changes sides of the allowance.
 template <class Stretch>
 class Grid {
  public:
@@ -40,19 +35,18 @@ class Grid {
   /// Fills `places`, in order; empty where the stretch has no rates anywhere.
   void fill(std::vector<Place>& places) const {
     places.clear();
-    std::vector<double> stops{stretch_.from()};
-    for (const double place : stretch_.turning_places()) stops.push_back(place);
-    stops.push_back(stretch_.to());
-    std::sort(stops.begin(), stops.end());
-    std::optional<Place> last = at(stops.front());
+    auto last = at(stretch_.from());
     if (!last) return;
     places.push_back(*last);
-    for (std::size_t i = 1; i < stops.size(); ++i) {
-      const std::optional<Place> next = at(stops[i]);
+    const auto go_to = [&](double fraction) {
+      const auto next = at(fraction);
       if (!next) return places.clear();
       divide(*last, *next, 0, places);
       last = next;
-    }
+    };
+    for (const double place : stretch_.turning_places())
+      if (!places.empty()) go_to(place);
+    if (!places.empty()) go_to(stretch_.to());
   }
 
  private:
@@ -74,10 +68,9 @@ class Grid {
         place.demand.axis = stretch_.axis(fraction);
         place.demand.tip_mm = stretch_.tip_mm(fraction);
       }
-      place.load.ratio = ratios_of(demand->rate, time_s_, allowance_.limits);
+      place.load.ratio = ratios_of(demand->rate, time_s_, allowance_);
       if (place.load.largest() > allowance_.share)
-        place.load.asked_ratio =
-            ratios_of(stretch_.asked(there, *demand), time_s_, allowance_.limits);
+        place.load.asked_ratio = ratios_of(stretch_.asked(there, *demand), time_s_, allowance_);
       if (with_accelerations_) place.acceleration = stretch_.acceleration(there, *demand);
       return place;
     }

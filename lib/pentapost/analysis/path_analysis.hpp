@@ -44,9 +44,9 @@ struct PathAnalysis {
   std::array<AxisPeak, axis_count> peaks{};            ///< over all cutting moves
   /// Largest inside the moves at an even feed, mm/s^2 or rad/s^2; nullopt: not asked for.
   std::optional<PerAxis> peak_accelerations;
-  Spans spans;                                         ///< over all moves
-  std::vector<Zone> zones;                             ///< caused by a singularity
-  std::vector<Zone> over_demands;                      ///< not caused by one
+  Spans spans;                     ///< over all moves
+  std::vector<Zone> zones;         ///< caused by a singularity
+  std::vector<Zone> over_demands;  ///< not caused by one
   std::vector<Repositioning> repositionings;
   double length_mm = 0.0;                 ///< of the tip's way over all cutting moves
   double programmed_time_s = 0.0;         ///< of these at the programmed feed

@@ -57,8 +57,8 @@ std::optional<double> Recorder::time_s(const PerAxis& from, const PerAxis& to) c
   constexpr double no_way = 1e-9;
   for (std::size_t i = 0; i < axis_count; ++i) {
     const double way = std::abs(to[i] - from[i]);
-    if (way > no_way && allowance_.limits[i])
-      time = std::max(time.value_or(0.0), way / *allowance_.limits[i]);
+    if (way > no_way && allowance_.time_per_way_s[i] > 0.0)
+      time = std::max(time.value_or(0.0), way * allowance_.time_per_way_s[i]);
   }
   return time;
 }

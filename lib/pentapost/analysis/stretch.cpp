@@ -8,7 +8,6 @@
 namespace pentapost::analysis {
 
 using kinematics::JointMotion;
-using kinematics::Joints;
 
 namespace {
 
@@ -32,32 +31,18 @@ ClStretch::ClStretch(const kinematics::Model& model, const path::Segment& segmen
       slack_rad_{slack_rad},
       at_start_{at_start} {}
 
-std::optional<Joints> ClStretch::joints(double fraction) const {
-  Joints joints;
-  if (fraction == ends_.fraction_from) {
-    joints.first_rad = ends_.first_from_rad;
-    joints.second_rad = ends_.second_from_rad;
-  } else if (fraction == ends_.fraction_to) {
-    joints.first_rad = ends_.first_to_rad;
-    joints.second_rad = ends_.second_to_rad;
-  } else if (follows_ == Follows::rest) {
-    joints.first_rad = ends_.first_from_rad + (fraction - ends_.fraction_from) * rest_rate_rad();
-    joints.second_rad = ends_.second_from_rad;
-  } else {
-    const auto found = kinematics::inverse_rotary(model_, segment_.axis(fraction), slack_rad_);
-    if (found.count == 0) return std::nullopt;
-    const auto& solution = found.branch[static_cast<std::size_t>(branch_)];
-    joints.first_rad =
-        nearest_turn(solution.first_rad, 0.5 * (ends_.first_from_rad + ends_.first_to_rad));
-    joints.second_rad =
-        nearest_turn(solution.second_rad, 0.5 * (ends_.second_from_rad + ends_.second_to_rad));
-  }
-  const auto linear =
-      kinematics::inverse_linear(model_, segment_.tip_mm(fraction) + origin_mm_, joints.first_rad,
-                                 joints.second_rad, gauge_length_mm_);
-  if (!linear) return std::nullopt;
-  joints.linear_mm = *linear;
-  return joints;
+std::optional<ClStretch::Rotary> ClStretch::rotary(double fraction) const {
+  if (fraction == ends_.fraction_from) return Rotary{ends_.first_from_rad, ends_.second_from_rad};
+  if (fraction == ends_.fraction_to) return Rotary{ends_.first_to_rad, ends_.second_to_rad};
+  if (follows_ == Follows::rest)
+    return Rotary{ends_.first_from_rad + (fraction - ends_.fraction_from) * rest_rate_rad(),
+                  ends_.second_from_rad};
+  const auto found = kinematics::inverse_rotary(model_, segment_.axis(fraction), slack_rad_);
+  if (found.count == 0) return std::nullopt;
+  const auto& solution = found.branch[static_cast<std::size_t>(branch_)];
+  return Rotary{
+      nearest_turn(solution.first_rad, 0.5 * (ends_.first_from_rad + ends_.first_to_rad)),
+      nearest_turn(solution.second_rad, 0.5 * (ends_.second_from_rad + ends_.second_to_rad))};
 }
 
 double ClStretch::rest_rate_rad() const {
@@ -68,10 +53,12 @@ const JointMotion* ClStretch::motion(double fraction) const {
   if (at_start_ != nullptr && fraction == ends_.fraction_from) return at_start_;
   const bool is_end = fraction == ends_.fraction_to;
   if (is_end && at_end_) return &*at_end_;
-  const auto at = joints(fraction);
+  const auto at = rotary(fraction);
   if (!at) return nullptr;
   auto& place = is_end ? at_end_ : inside_;
-  return &place.emplace(model_, *at, gauge_length_mm_);
+  place = JointMotion::at_tip(model_, segment_.tip_mm(fraction) + origin_mm_, at->first_rad,
+                              at->second_rad, gauge_length_mm_);
+  return place ? &*place : nullptr;
 }
 
 std::optional<Demand> ClStretch::at(double fraction) const {

@@ -55,7 +55,10 @@ class ClStretch {
   double relative_change(const Demand& from, const Demand& to, double length) const;
 
  private:
-  std::optional<kinematics::Joints> joints(double fraction) const;
+  struct Rotary {
+    double first_rad, second_rad;
+  };
+  std::optional<Rotary> rotary(double fraction) const;
   const kinematics::JointMotion* motion(double fraction) const;
   double rest_rate_rad() const;  ///< of the first joint
 

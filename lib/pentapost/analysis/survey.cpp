@@ -45,8 +45,9 @@ void Survey::take_place(const SurveyedMove& move, const Place& place) {
   if (place.acceleration) {
     if (!peak_accelerations_) peak_accelerations_.emplace();
     for (std::size_t i = 0; i < axis_count; ++i)
-      (*peak_accelerations_)[i] = std::max(
-          (*peak_accelerations_)[i], std::abs((*place.acceleration)[i]) / (move.time_s * move.time_s));
+      (*peak_accelerations_)[i] =
+          std::max((*peak_accelerations_)[i],
+                   std::abs((*place.acceleration)[i]) / (move.time_s * move.time_s));
   }
   approach(move, place);
 }

@@ -31,6 +31,10 @@ struct ToolRates {
 class JointMotion {
  public:
   JointMotion(const Model& model, const Joints& joints, double gauge_length_mm);
+  /// With the linear joints that bring the tip there.
+  /// @return nullopt where the linear directions do not span space.
+  static std::optional<JointMotion> at_tip(const Model& model, const Vec3& tip_mm, double first_rad,
+                                           double second_rad, double gauge_length_mm);
 
   Jacobian jacobian() const;
 
@@ -62,12 +66,20 @@ class JointMotion {
   double opening_sine() const { return opening_sine_; }
 
  private:
+  /// All but what the values of the linear joints decide.
+  JointMotion(const Model& model, double first_rad, double second_rad, double gauge_length_mm);
+  void place_linear_mm(const Vec3& linear_mm);
+  std::optional<Vec3> solve_linear_mm(const Vec3& target_mm) const;
   std::optional<Eigen::Vector2d> rotary_rates(const Vec3& axis_rate) const;
 
-  const Model& model_;
+  const Model* model_;
   Joints joints_;
-  Mat3 before_, between_, beyond_;  ///< tip per linear joint, by the joint's place in the chain
+  Mat3 linear_;            ///< tip per linear joint
+  Mat3 between_, beyond_;  ///< of it, by the joint's place in the chain; set where there is one
+  Mat3 solution_;          ///< inverse of linear_ but for the volume
+  double volume_;          ///< determinant of linear_
   Vec3 b_, axis_;
+  Vec3 b_from_a_mm_, tool_from_b_mm_;  ///< with the linear joints at zero
   Vec3 first_arm_mm_, second_arm_mm_;  ///< from the rotary axes to the tip
   double opening_sine_ = 1.0;
 };

@@ -21,7 +21,7 @@ void Segment::set_axis_turn() {
   const double sine = normal.norm();
   axis_angle_rad_ = std::atan2(sine, axis_from_.dot(axis_to_));
   if (sine > 0.0)
-    axis_turn_ = (normal / sine).cross(axis_from_).normalized();
+    axis_turn_ = normal.cross(axis_from_) / sine;
   else if (axis_angle_rad_ > 0.0)
     axis_turn_ = axis_from_.unitOrthogonal();
 }
@@ -98,6 +98,7 @@ Vec3 Segment::tip_acceleration_mm(double fraction) const {
 }
 
 Vec3 Segment::axis_rate(double fraction) const {
+  if (fraction == 0.0) return axis_angle_rad_ * axis_turn_;
   const double angle_rad = fraction * axis_angle_rad_;
   return axis_angle_rad_ * (std::cos(angle_rad) * axis_turn_ - std::sin(angle_rad) * axis_from_);
 }
