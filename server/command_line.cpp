@@ -125,8 +125,10 @@ ExitCode run(const AnalyseFileOptions& options) {
     std::cerr << "pentapost analyse: " << misuse << '\n';
     return exit_usage;
   }
-  auto parts = parts_of(options, {{"zone_share", options.zone_share}});
+  auto parts =
+      parts_of(options, {{"zone_share", options.zone_share}, {"nc_dialect", options.nc_dialect}});
   if (!parts) return exit_input_output;
+  if (options.nc) parts->nc = std::exchange(parts->cl, std::nullopt);
   const auto machines = load_library(machine_folder(options.machines), options.skip_bad_machines);
   if (!machines) return exit_input_output;
   const auto dialects = dialect_names();

@@ -99,10 +99,18 @@ CLI::App* add_post(CLI::App& app, PostFileOptions& options) {
 
 CLI::App* add_analyse(CLI::App& app, AnalyseFileOptions& options) {
   auto* const command = app.add_subcommand(
-      "analyse", "Analyse one CL file on a machine: singular zones, axis speeds, times, as JSON");
+      "analyse",
+      "Analyse one CL file, or NC program, on a machine: singular zones, axis speeds, times, as "
+      "JSON");
   add_job(*command, options);
   command->add_option("--zone-share", options.zone_share,
                       "Share of a speed limit from which a stretch is a zone [default: 1]");
+  auto* const nc =
+      command->add_flag("--nc", options.nc, "FILE is an NC program [default: off, CL data]");
+  command
+      ->add_option("--nc-dialect", options.nc_dialect,
+                   "Controller dialect of the NC program [default: as the machine]")
+      ->needs(nc);
   return command;
 }
 

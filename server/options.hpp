@@ -45,7 +45,8 @@ struct PostFileOptions : JobFileOptions {
 };
 
 struct AnalyseFileOptions : JobFileOptions {
-  std::optional<std::string> zone_share = {};
+  std::optional<std::string> zone_share = {}, nc_dialect = {};
+  bool nc = false;  ///< the file is an NC program
 };
 
 struct MachinesOptions {

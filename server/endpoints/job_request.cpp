@@ -8,17 +8,20 @@
 namespace pentapost::server {
 namespace {
 
-/// The parts of a job from a web form: machine, cl, job.
+/// The parts of a job from a web form: machine, cl, nc, job.
 Result<JobParts> parts_of_form(const Request& request) {
   const auto fields = read_form(*find_field(request.headers, "content-type"), request.body);
   if (!fields) return fields.error();
   JobParts parts;
   for (const auto& [name, content, file_name] : *fields) {
-    auto* const part = name == "cl" ? &parts.cl : name == "job" ? &parts.json : nullptr;
+    auto* const part = name == "cl"    ? &parts.cl
+                       : name == "nc"  ? &parts.nc
+                       : name == "job" ? &parts.json
+                                       : nullptr;
     if (part != nullptr && *part) {
       return Problem{.code = Code::conflicting_keys,
                      .message = "a field of the form stands twice: " + name,
-                     .pointer = name == "cl" ? "/cl" : ""};
+                     .pointer = name == "job" ? "" : pointer_to_key(name)};
     }
     if (part != nullptr) {
       part->emplace(content);
@@ -27,7 +30,7 @@ Result<JobParts> parts_of_form(const Request& request) {
       parts.words.emplace_back(name, content);
     } else {
       return Problem{.code = Code::unknown_key,
-                     .message = "the form has a field other than machine, cl and job",
+                     .message = "the form has a field other than machine, cl, nc and job",
                      .pointer = pointer_to_key(name)};
     }
   }

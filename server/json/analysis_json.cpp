@@ -3,6 +3,7 @@
 #include "server/json/json_writer.hpp"
 #include "server/json/problem_json.hpp"
 #include "server/json/report_head_json.hpp"
+#include "server/json/zones_json.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -13,28 +14,13 @@ namespace {
 
 using RepositioningKind = analysis::Repositioning::Kind;
 
-std::string_view name_of(kinematics::SingularityKind kind) {
-  return kind == kinematics::SingularityKind::pole ? "pole" : "reach-boundary";
-}
-
 std::string_view name_of(RepositioningKind kind) {
   if (kind == RepositioningKind::rapid) return "rapid";
   return kind == RepositioningKind::retract ? "retract" : "turn-in-place";
 }
 
-void write_vector(JsonWriter& writer, const Vec3& vector) {
-  writer.begin_array();
-  for (const double component : vector) writer.number(component);
-  writer.end_array();
-}
-
-void write_place(JsonWriter& writer, const jobs::PathPlace& place) {
-  writer.begin_object();
-  writer.key("point").integer(place.point);
-  writer.key("cl_line").integer(place.line);
-  writer.key("s_mm").number(place.s_mm);
-  write_vector(writer.key("tip_mm"), place.tip_wp_mm);
-  writer.end_object();
+PlaceKeys place_keys(const jobs::AnalyseReport& report) {
+  return report.nc_sha256.empty() ? cl_place_keys : nc_place_keys;
 }
 
 void write_summary(JsonWriter& writer, const jobs::AnalyseReport& report) {
@@ -44,6 +30,8 @@ void write_summary(JsonWriter& writer, const jobs::AnalyseReport& report) {
   writer.key("programmed_time_s").number(report.programmed_time_s);
   writer.key("predicted_time_s").number(report.predicted_time_s);
   writer.key("repositioning_time_s").number(report.repositioning_time_s);
+  if (report.pole_axis_change_deg)
+    writer.key("pole_axis_change_deg").number(*report.pole_axis_change_deg);
   if (report.closest_approach_deg)
     writer.key("closest_approach_deg").number(*report.closest_approach_deg);
   if (report.peak_ratio) writer.key("peak_ratio").number(*report.peak_ratio);
@@ -76,11 +64,6 @@ void write_tools(JsonWriter& writer, const jobs::AnalyseReport& report) {
   writer.end_object();
 }
 
-/// "peak_deg_s" or "peak_mm_s".
-std::string in_unit(bool rotary, std::string_view name, std::string_view per = "") {
-  return std::string{name}.append(rotary ? "_deg" : "_mm").append(per);
-}
-
 void write_axes(JsonWriter& writer, const jobs::AnalyseReport& report) {
   writer.key("axes").begin_object();
   for (const auto& axis : report.axes) {
@@ -100,52 +83,10 @@ void write_axes(JsonWriter& writer, const jobs::AnalyseReport& report) {
     number("peak", "_s2", axis.peak_acceleration);
     number("limit", "_s2", axis.acceleration_limit);
     if (axis.peak_ratio) writer.key("peak_ratio").number(*axis.peak_ratio);
-    if (axis.peak_at) write_place(writer.key("peak_at"), *axis.peak_at);
+    if (axis.peak_at) write_place(writer.key("peak_at"), place_keys(report), *axis.peak_at);
     writer.end_object();
   }
   writer.end_object();
-}
-
-std::string_view name_of(jobs::Cure::Kind kind) {
-  if (kind == jobs::Cure::Kind::feed) return "feed";
-  return kind == jobs::Cure::Kind::solution ? "solution" : "axis-change";
-}
-
-void write_cures(JsonWriter& writer, const std::vector<jobs::Cure>& cures) {
-  writer.key("cures").begin_array();
-  for (const auto& cure : cures) {
-    writer.begin_object();
-    writer.key("kind").string(name_of(cure.kind));
-    if (cure.kind == jobs::Cure::Kind::feed) writer.key("feed_mm_min").number(cure.feed_mm_min);
-    if (cure.kind == jobs::Cure::Kind::axis_change)
-      writer.key("pole_axis_deg").number(cure.axis_change_deg);
-    writer.key("peak_ratio").number(cure.peak_ratio);
-    writer.key("time_lost_s").number(cure.time_lost_s);
-    writer.end_object();
-  }
-  writer.end_array();
-}
-
-void write_zones(JsonWriter& writer, std::string_view key, const jobs::ZonesReport& report) {
-  writer.key(key).begin_array();
-  for (const auto& zone : report.zones) {
-    writer.begin_object();
-    if (zone.kind) writer.key("kind").string(name_of(*zone.kind));
-    writer.key("axis").string(zone.axis);
-    write_place(writer.key("from"), zone.from);
-    write_place(writer.key("to"), zone.to);
-    if (zone.closest_deg) writer.key("closest_deg").number(*zone.closest_deg);
-    writer.key(in_unit(zone.rotary, "peak", "_s")).number(zone.peak_speed);
-    writer.key("peak_ratio").number(zone.peak_ratio);
-    if (zone.amplification) writer.key("amplification").number(*zone.amplification);
-    writer.key("lowest_feed_mm_min").number(zone.lowest_feed_mm_min);
-    writer.key("programmed_time_s").number(zone.programmed_time_s);
-    writer.key("time_lost_s").number(zone.time_lost_s);
-    if (zone.kind) write_cures(writer, zone.cures);
-    writer.end_object();
-  }
-  writer.end_array();
-  writer.key(std::string{key}.append("_total")).integer(report.total);
 }
 
 void write_repositionings(JsonWriter& writer, const jobs::AnalyseReport& report) {
@@ -154,7 +95,7 @@ void write_repositionings(JsonWriter& writer, const jobs::AnalyseReport& report)
   for (std::size_t i = 0; i < std::min(all.size(), most_repositionings); ++i) {
     writer.begin_object();
     writer.key("kind").string(name_of(all[i].kind));
-    write_place(writer.key("at"), all[i].at);
+    write_place(writer.key("at"), place_keys(report), all[i].at);
     if (all[i].time_s) writer.key("time_s").number(*all[i].time_s);
     writer.end_object();
   }
@@ -166,7 +107,7 @@ void write_singular_directions(JsonWriter& writer, const jobs::AnalyseReport& re
   writer.key("singular_directions").begin_array();
   for (const auto& each : report.singular_directions) {
     writer.begin_object();
-    writer.key("kind").string(name_of(each.kind));
+    writer.key("kind").string(singularity_name(each.kind));
     write_vector(writer.key("direction"), each.direction);
     writer.key("half_angle_deg").number(each.half_angle_deg);
     writer.end_object();
@@ -191,10 +132,10 @@ void write_numbers(JsonWriter& writer, const std::vector<std::optional<double>>&
   writer.end_array();
 }
 
-void write_samples(JsonWriter& writer, const jobs::SampleColumns& samples) {
+void write_samples(JsonWriter& writer, const PlaceKeys& keys, const jobs::SampleColumns& samples) {
   writer.key("samples").begin_object();
   write_numbers(writer.key("s_mm"), samples.s_mm);
-  writer.key("cl_line").begin_array();
+  writer.key(keys.line).begin_array();
   for (const auto line : samples.line) writer.integer(line);
   writer.end_array();
   writer.key("goes_on").begin_array();
@@ -223,18 +164,22 @@ void write_samples(JsonWriter& writer, const jobs::SampleColumns& samples) {
 std::string analysis_json(const jobs::AnalyseReport& report) {
   std::string text;
   JsonWriter writer{text};
+  const PlaceKeys keys = place_keys(report);
   writer.begin_object();
   write_machine(writer, report);
-  write_cl(writer, report);
+  if (report.nc_sha256.empty())
+    write_cl(writer, report);
+  else
+    write_nc(writer, report);
   write_summary(writer, report);
   write_operations(writer, report);
   write_tools(writer, report);
   write_axes(writer, report);
-  write_zones(writer, "zones", report.zones);
-  write_zones(writer, "over_demands", report.over_demands);
+  write_zones(writer, "zones", keys, report.zones);
+  write_zones(writer, "over_demands", keys, report.over_demands);
   write_repositionings(writer, report);
   write_singular_directions(writer, report);
-  if (report.samples) write_samples(writer, *report.samples);
+  if (report.samples) write_samples(writer, keys, *report.samples);
   write_diagnostics(writer, report.diagnostics);
   writer.end_object();
   return text;

@@ -3,6 +3,7 @@
 #include "pentapost/core/number_text.hpp"
 #include "pentapost/json/definition_json.hpp"
 #include "pentapost/json/strict_reader.hpp"
+#include "server/json/name_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,12 +28,13 @@ constexpr Domain tip_domain{
     .lower = 0.0, .upper = jobs::largest_tip_tolerance_mm, .lower_open = true};
 constexpr Domain axis_domain{
     .lower = 0.0, .upper = jobs::largest_axis_tolerance_deg, .lower_open = true};
+constexpr auto pole_axis_domain = Domain::between(0.0, jobs::largest_pole_axis_deg);
 constexpr auto setup_angle_domain =
     Domain::between(-jobs::largest_setup_angle_deg, jobs::largest_setup_angle_deg);
 
 constexpr std::size_t default_samples = 2000;
-/// A key of POST /analyse alone.
-constexpr auto zone_share_key = "zone_share"sv;
+// Keys of POST /analyse alone.
+constexpr auto zone_share_key = "zone_share"sv, nc_dialect_key = "nc_dialect"sv;
 
 /// The words of a job, and where in the JSON job each belongs.
 struct WordRow {
@@ -47,25 +49,12 @@ constexpr std::array word_rows{
     WordRow{"cl_units", "/cl_units"},
     WordRow{"program_name", "/post/program_name"},
     WordRow{zone_share_key, "/zone_share"},
+    WordRow{nc_dialect_key, "/nc_dialect"},
 };
 
 std::string_view pointer_of(std::string_view word) {
   const auto row = std::ranges::find(word_rows, word, &WordRow::name);
   return row == word_rows.end() ? std::string_view{} : row->pointer;
-}
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
-/// A name as a message shows it: what a client sends may be long.
-std::string quoted(std::string_view name) {
-  constexpr std::size_t longest = 80;
-  const bool cut = name.size() > longest;
-  std::string text{"'"};
-  return text.append(name.substr(0, longest)).append(cut ? "...'" : "'");
 }
 
 enum class Operation { post, analyse };
@@ -93,6 +82,10 @@ class JobReader {
   const std::optional<Problem>& first_problem() const;
 
   std::optional<machine::Definition> machine_of(const Object& job);
+  std::optional<std::string> dialect(std::string_view name, const std::optional<Object>& object);
+  bool takes_nc() const { return operation_ == Operation::analyse; }
+  bool has_nc(const Object& job) const { return parts_.nc || (takes_nc() && job.has("nc")); }
+  void read_nc(const Object& job, jobs::AnalyseJob& result);
   void read_path(const Object& job, jobs::PostJob& result);
   void read_cl(const Object& job, jobs::PostJob& result);
   void read_points(const Object& path, jobs::PostJob& result);
@@ -124,7 +117,8 @@ const std::optional<Problem>& JobReader::first_problem() const {
 
 void JobReader::check_words() {
   for (const auto& [name, value] : parts_.words) {
-    if (pointer_of(name).empty() || (name == zone_share_key && operation_ != Operation::analyse))
+    const bool of_analysis = name == zone_share_key || name == nc_dialect_key;
+    if (pointer_of(name).empty() || (of_analysis && operation_ != Operation::analyse))
       return fail(Code::unknown_key, json::pointer_step(name),
                   quoted(name) + " is not a key of this form");
     const auto same = [&name = name](const auto& field) { return field.first == name; };
@@ -183,6 +177,17 @@ std::optional<std::string> JobReader::text(std::string_view name,
   return object ? object->optional_string(name) : std::nullopt;
 }
 
+/// The name of a controller dialect.
+std::optional<std::string> JobReader::dialect(std::string_view name,
+                                              const std::optional<Object>& object) {
+  auto found = text(name, object);
+  if (found && std::ranges::find(context_.dialects, *found) == context_.dialects.end())
+    fail(Code::unknown_dialect, pointer_of(name),
+         "found " + quoted(*found) + ", expected one of " +
+             joined({context_.dialects.begin(), context_.dialects.end()}));
+  return found;
+}
+
 std::optional<machine::Definition> JobReader::machine_of(const Object& job) {
   std::optional<std::string> name;
   if (const auto* found = word("machine", job, "machine")) {
@@ -207,6 +212,21 @@ std::optional<machine::Definition> JobReader::machine_of(const Object& job) {
   if (entry) return (*entry)->definition;
   fail(entry.error().code, "/machine", entry.error().message);
   return std::nullopt;
+}
+
+void JobReader::read_nc(const Object& job, jobs::AnalyseJob& result) {
+  const auto exclude = [&](std::string_view key, bool is_given) {
+    if (is_given)
+      fail(Code::conflicting_keys, std::string{"/"}.append(key),
+           "the job has nc, which excludes it");
+  };
+  exclude("cl", parts_.cl.has_value());
+  for (const auto key : {"cl"sv, "path"sv, "cl_units"sv, "cl_dialect"sv})
+    exclude(key, job.optional_value(key) || find_field(parts_.words, key) != nullptr);
+  if (parts_.nc && job.has("nc"))
+    return fail(Code::conflicting_keys, "/nc", "it stands in the job and beside it");
+  result.nc = jobs::NcProgram{.text = {}, .dialect = dialect(nc_dialect_key, job)};
+  if (!parts_.nc) result.nc->text = job.take_string("nc");
 }
 
 void JobReader::read_path(const Object& job, jobs::PostJob& result) {
@@ -318,16 +338,12 @@ void JobReader::read_post(const Object& job, jobs::PostOptions& post) {
   const auto object = job.optional_object("post");
   if (const auto output = choice("output", object, "output", output_words))
     post.output = *output == 0 ? Output::tcp : Output::axes;
-  post.dialect = text("dialect", object);
-  if (post.dialect &&
-      std::ranges::find(context_.dialects, *post.dialect) == context_.dialects.end()) {
-    fail(Code::unknown_dialect, pointer_of("dialect"),
-         "found " + quoted(*post.dialect) + ", expected one of " +
-             joined({context_.dialects.begin(), context_.dialects.end()}));
-  }
+  post.dialect = dialect("dialect", object);
   post.program_name = text("program_name", object);
   if (!object) return;
+  post.zone_comments = object->optional_boolean("zone_comments").value_or(false);
   post.flank = object->optional_boolean("flank").value_or(false);
+  post.pole_axis_deg = object->optional_number("pole_axis_deg", pole_axis_domain).value_or(0.0);
   if (const auto prefer = object->optional_object("prefer")) read_prefer(*prefer, post);
   object->finish();
 }
@@ -384,7 +400,18 @@ Result<jobs::AnalyseJob> JobReader::read() {
 
   jobs::AnalyseJob answer{.job = {.machine = std::move(*definition), .path = {}}};
   jobs::PostJob& result = answer.job;
-  read_path(job, result);
+  if (takes_nc())
+    for (const auto key : {"nc"sv, nc_dialect_key}) job.optional_value(key);
+  if (parts_.nc && !takes_nc())
+    fail(Code::unknown_key, "/nc", "an NC program is a path of /analyse alone");
+  if (has_nc(job))
+    read_nc(job, answer);
+  else
+    read_path(job, result);
+  const bool has_nc_dialect =
+      job.has(nc_dialect_key) || find_field(parts_.words, nc_dialect_key) != nullptr;
+  if (takes_nc() && !has_nc(job) && has_nc_dialect)
+    fail(Code::conflicting_keys, "/nc_dialect", "it belongs to nc, and the job has none");
   read_setup(job, result.setup);
   read_tools(job, result);
   read_tolerances(job, result.tolerances);
@@ -392,8 +419,10 @@ Result<jobs::AnalyseJob> JobReader::read() {
   read_limits(job, result);
   if (operation_ == Operation::analyse) read_analysis(job, answer);
   job.finish();
-  if (!parts_.cl && !job.has("cl") && !job.has("path"))
-    fail(Code::missing_key, "/cl", "a job has exactly one of cl and path");
+  if (!parts_.cl && !job.has("cl") && !job.has("path") && !has_nc(job))
+    fail(Code::missing_key, "/cl",
+         takes_nc() ? "a job has exactly one of cl, path and nc"
+                    : "a job has exactly one of cl and path");
   if (auto first = first_problem()) return *first;
   return answer;
 }
@@ -405,6 +434,7 @@ Result<jobs::AnalyseJob> read_job(JobParts parts, const JobContext& context, Ope
   if (!answer) return answer;
   answer->job.post.default_program_name = file_stem(parts.cl_file_name);
   if (parts.cl) std::get<jobs::ClText>(answer->job.path).text = std::move(*parts.cl);
+  if (parts.nc) answer->nc->text = std::move(*parts.nc);
   return answer;
 }
 

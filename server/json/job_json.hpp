@@ -24,7 +24,9 @@ struct JobParts {
   std::optional<std::string> json = {};  ///< the JSON job
   std::optional<std::string> cl = {};    ///< text of the CL file, where it came apart from the job
   std::string cl_file_name = {};         ///< of that file; empty: not known
-  /// machine, output, dialect, tip_mm, axis_deg, cl_units, program_name, zone_share, as text.
+  std::optional<std::string> nc = {};    ///< text of the NC program to analyse, likewise apart
+  /// machine, output, dialect, tip_mm, axis_deg, cl_units, program_name, zone_share, nc_dialect, as
+  /// text.
   Fields words = {};
 };
 
@@ -36,7 +38,8 @@ struct JobParts {
 ///         an inline definition is refused with.
 Result<jobs::PostJob> read_post_job(JobParts parts, const JobContext& context);
 
-/// Reads a job for POST /analyse: as for POST /post, and the key and word zone_share.
+/// Reads a job for POST /analyse: as for POST /post, the keys zone_share, samples,
+/// max_samples, and nc with nc_dialect in the place of cl and path.
 Result<jobs::AnalyseJob> read_analyse_job(JobParts parts, const JobContext& context);
 
 /// The JSON pointer of a key of the job.

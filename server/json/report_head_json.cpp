@@ -20,4 +20,13 @@ void write_cl(JsonWriter& writer, const jobs::ReportHead& head) {
   writer.end_object();
 }
 
+void write_nc(JsonWriter& writer, const jobs::ReportHead& head) {
+  writer.key("nc").begin_object();
+  writer.key("sha256").string(head.nc_sha256);
+  writer.key("dialect").string(head.nc_dialect);
+  writer.key("lines").integer(head.nc_lines);
+  writer.key("blocks").integer(head.nc_blocks);
+  writer.end_object();
+}
+
 }  // namespace pentapost::server

@@ -10,5 +10,7 @@ void write_machine(JsonWriter& writer, const jobs::ReportHead& head);
 
 /// Writes "cl": what the path was read from.
 void write_cl(JsonWriter& writer, const jobs::ReportHead& head);
+/// Writes "nc" in its place, where the path is an NC program.
+void write_nc(JsonWriter& writer, const jobs::ReportHead& head);
 
 }  // namespace pentapost::server

@@ -3,6 +3,7 @@
 #include "server/json/json_writer.hpp"
 #include "server/json/problem_json.hpp"
 #include "server/json/report_head_json.hpp"
+#include "server/json/zones_json.hpp"
 
 namespace pentapost::server {
 namespace {
@@ -57,9 +58,20 @@ std::string report_json(const jobs::PostReport& report) {
   writer.key("blocks").integer(report.blocks);
   writer.key("length_mm").number(report.length_mm);
   writer.key("programmed_time_s").number(report.programmed_time_s);
+  if (report.predicted_time_s) writer.key("predicted_time_s").number(*report.predicted_time_s);
   write_axes(writer, report);
+  write_zones(writer, "zones", cl_place_keys, report.zones);
+  write_zones(writer, "over_demands", cl_place_keys, report.over_demands);
   writer.key("inserted_points").integer(report.inserted_points);
   writer.key("pole_axis_change_deg").number(report.pole_axis_change_deg);
+  writer.key("pole_bends").begin_array();
+  for (const auto& bend : report.pole_bends) {
+    writer.begin_object();
+    writer.key("cl_line").integer(bend.cl_line);
+    writer.key("change_deg").number(bend.change_deg);
+    writer.end_object();
+  }
+  writer.end_array();
   write_retracts(writer, report);
   write_verification(writer, report.verification);
   write_diagnostics(writer, report.diagnostics);

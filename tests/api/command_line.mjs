@@ -57,6 +57,13 @@ test("post takes a job and the machine from the environment", () => {
   assert.equal(run("post", good, "--job", job, { env: { PENTAPOST_MACHINE: "generic-3axis" } }).code, 0);
 });
 
+test("analyse reads an NC program", () => {
+  const program = path.join(root, "tests/data/papers/cripps-2017-appendix-1.nc");
+  const { code, out } = run("analyse", program, "--nc", "--nc-dialect", "heidenhain-iso", "--machine", "hermle-c600u");
+  assert.equal(code, 0);
+  assert.equal(JSON.parse(out).nc.lines, 77);
+});
+
 test("analyse writes the analysis to stdout", () => {
   const { code, out, err } = run("analyse", good, "--machine", "hermle-c600u", "--zone-share", "0.5");
   assert.deepEqual([code, err], [0, ""]);

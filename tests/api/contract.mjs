@@ -127,6 +127,17 @@ async function checkAnalyse(port) {
     ["text for an answer", text(query, cl, { accept: "text/plain" }), 406, "not_acceptable", undefined],
     ["another content type", text(query, cl, { "content-type": "application/xml" }), 415,
       "unsupported_media_type", undefined],
+    ["cl and nc", job({ ...query, cl, nc: "%" }), 400, "conflicting_keys", "/cl"],
+    ["a turned setup with nc", job({ ...query, nc: "%", setup: { theta_x_deg: 5 } }), 400,
+      "conflicting_keys", "/setup/theta_x_deg"],
+    ["a dialect of nc without nc", job({ ...query, cl, nc_dialect: "fanuc-30i" }), 400,
+      "conflicting_keys", "/nc_dialect"],
+    ["an unknown dialect of nc", job({ ...query, nc: "%", nc_dialect: "x" }), 422, "unknown_dialect",
+      "/nc_dialect"],
+    ["an NC program without motion", job({ ...query, nc: "%\nO1\nM30\n%\n", nc_dialect: "fanuc-30i" }), 400,
+      "no_motion", "/nc"],
+    ["a damaged NC program", job({ ...query, nc: "%\nO1\nG77 X1.\nM30\n%\n", nc_dialect: "fanuc-30i" }), 400,
+      "damaged_block", "/nc"],
   ];
   for (const [title, wanted, status, code, pointer] of refusals) {
     await check(`POST /analyse ${status} ${code}: ${title}`, async () => {
@@ -134,6 +145,18 @@ async function checkAnalyse(port) {
       assert.deepEqual([json.code, json.pointer], [code, pointer]);
     });
   }
+  const nc = fs.readFileSync(path.join(root, "tests/data/papers/cripps-2017-appendix-2.nc"), "utf8");
+  await check("POST /analyse of an NC program", async () => {
+    const wanted = { ...job({ machine: "hermle-c600u", nc, nc_dialect: "heidenhain-iso" }), path: "/analyse" };
+    const { json } = await held(port, wanted, 200);
+    assert.equal(json.nc.dialect, "heidenhain-iso");
+    assert.deepEqual([json.zones[0].from.tip_mm[0], json.zones[0].to.tip_mm[0]], [22, 28]);
+    assert.equal(nc.split("\n")[json.zones[0].to.nc_line - 1].split(" ")[1], "X+28");
+  });
+  await check("POST /post 400: nc", async () => {
+    const { json } = await held(port, job({ machine: "hermle-c600u", nc }), 400);
+    assert.deepEqual([json.code, json.pointer], ["unknown_key", "/nc"]);
+  });
   await check("POST /post 400: zone_share in the query", async () => {
     const { json } = await held(port, text({ ...query, zone_share: "1" }, cl), 400);
     assert.deepEqual([json.code, json.pointer], ["unknown_key", "/zone_share"]);
@@ -216,7 +239,9 @@ async function checkJobSchema(port) {
     { setup: { origin_mm: [0, 0, 2e6] } }, { tools: { 1: { gauge_length_mm: 2e6 } } },
     { setup: [] }, { tools: { 1: { gauge_length_mm: -1 } } }, { tools: { "01": {} } }, { tools: { a: {} } },
     { tools: { 1: { gauge_length_mm: 100 } } }, { post: { output: "tcp" } }, { post: { output: "joints" } },
-    { post: { dialect: null } }, { post: { flank: 1 } }, { post: { prefer: { tilt: "up" } } },
+    { post: { dialect: null } }, { post: { flank: 1 } },
+    { post: { pole_axis_deg: 0 } }, { post: { pole_axis_deg: 5 } }, { post: { pole_axis_deg: 5.001 } }, { post: { pole_axis_deg: -1 } },
+    { post: { flank: true, pole_axis_deg: 0 } }, { post: { flank: true, pole_axis_deg: 1 } }, { post: { flank: false, pole_axis_deg: 1 } }, { post: { prefer: { tilt: "up" } } },
     { post: { prefer: { first_turn_deg: [0] } } }, { limits: { X: { max_speed_mm_s: 0 } } },
     { limits: { X: { max_speed_mm_s: 10 } } }, { limits: { X: 5 } }, { cl: "" }, { cl_units: "cm" },
     { dual_nurbs: {} }, { nc: "" }, { path: { feed_mm_min: 0, points: path.points } },

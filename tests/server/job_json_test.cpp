@@ -22,6 +22,67 @@ Result<jobs::PostJob> read_with(const std::string& members) {
   return read(R"({"machine": "demo", "cl": "GOTO/1,2,3", )" + members + "}");
 }
 
+Result<jobs::AnalyseJob> read_analysis_of(JobParts parts) {
+  static const auto machines = sample::library();
+  const auto dialects = dialect_names();
+  return read_analyse_job(std::move(parts), {.machines = machines, .dialects = dialects});
+}
+
+TEST(AnalyseJobJson, ReadsAnNcProgram) {
+  const auto job = read_analysis_of(
+      {.json = R"({"machine": "demo", "nc": "%\nM30\n", "nc_dialect": "fanuc-30i", "cl": null})"});
+  ASSERT_TRUE(job) << job.error().message;
+  EXPECT_EQ(job->nc.value().text, "%\nM30\n");
+  EXPECT_EQ(job->nc->dialect, "fanuc-30i");
+  const auto silent = read_analysis_of({.json = R"({"machine": "demo", "nc": ""})"});
+  ASSERT_TRUE(silent) << silent.error().message;
+  EXPECT_EQ(silent->nc.value().dialect, std::nullopt);
+}
+
+TEST(AnalyseJobJson, TakesAnNcProgramApart) {
+  const auto job = read_analysis_of(
+      {.json = R"({"machine": "demo"})", .nc = "%", .words = {{"nc_dialect", "heidenhain-iso"}}});
+  ASSERT_TRUE(job) << job.error().message;
+  EXPECT_EQ(job->nc.value().text, "%");
+  EXPECT_EQ(job->nc->dialect, "heidenhain-iso");
+}
+
+TEST(AnalyseJobJson, HasOnePath) {
+  const auto refused = [](const std::string& members, const char* pointer) {
+    const auto job = read_analysis_of({.json = R"({"machine": "demo", )" + members + "}"});
+    ASSERT_FALSE(job) << members;
+    EXPECT_EQ(job.error().pointer, pointer) << members;
+  };
+  refused(R"("nc": "%", "cl": "GOTO/1,2,3")", "/cl");
+  refused(R"("nc": "%", "path": {})", "/path");
+  refused(R"("nc": "%", "cl_units": "mm")", "/cl_units");
+  refused(R"("cl": "GOTO/1,2,3", "nc_dialect": "fanuc-30i")", "/nc_dialect");
+  refused(R"("nc": "%", "nc_dialect": "sinumerik")", "/nc_dialect");
+  refused(R"("nc": 1)", "/nc");
+  refused(R"("nc": null)", "/cl");
+  EXPECT_EQ(read_analysis_of({.json = R"({"machine": "demo", "nc": "%"})", .cl = "GOTO/1,2,3"})
+                .error()
+                .pointer,
+            "/cl");
+}
+
+TEST(JobJson, RefusesAnNcProgram) {
+  EXPECT_EQ(read_with(R"("nc": "%")").error().code, Code::unknown_key);
+  EXPECT_EQ(read_parts({.json = R"({"machine": "demo"})", .nc = "%"}).error().pointer, "/nc");
+}
+
+TEST(JobJson, ReadsTheChangeOfTheAxisNearAPole) {
+  const auto job = read_with(R"("post": {"pole_axis_deg": 1.5})");
+  ASSERT_TRUE(job) << job.error().message;
+  EXPECT_EQ(job->post.pole_axis_deg, 1.5);
+  EXPECT_EQ(read_with(R"("post": {})")->post.pole_axis_deg, 0.0);
+  for (const char* wrong : {"5.5", "-1", "true"}) {
+    const auto refused = read_with(std::string{R"("post": {"pole_axis_deg": )"} + wrong + "}");
+    ASSERT_FALSE(refused) << wrong;
+    EXPECT_EQ(refused.error().pointer, "/post/pole_axis_deg");
+  }
+}
+
 TEST(JobJson, ReadsEveryKey) {
   const auto job = read(R"({
     "machine": "demo@1.0.0", "cl": "GOTO/1,2,3\n", "cl_units": "inch", "cl_dialect": "nx",

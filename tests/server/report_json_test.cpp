@@ -18,9 +18,16 @@ TEST(ReportJson, HasTheNamesOfTheContract) {
       R"({"machine":{"name":"demo","version":"1.1.0","sha256":")" + a +
           R"("},"dialect":"fanuc-30i","output":"axes","cl":{"sha256":")" + c +
           R"(","dialect":"nx","lines":11,"points":12,"units":"inch"},"blocks":13,"length_mm":15.5,)"
-          R"("programmed_time_s":16.25,"axes":{"A":{"unit":"deg","min":-1.5,"max":2.5,)"
+          R"("programmed_time_s":16.25,"predicted_time_s":17.25,"axes":{"A":{"unit":"deg","min":-1.5,"max":2.5,)"
           R"("range":[-110,110],"speed_limit":150},"X":{"unit":"mm","min":3.5,"max":4.5}},)"
-          R"("inserted_points":14,"pole_axis_change_deg":0.125,)"
+          R"("zones":[{"kind":"pole","axis":"C",)"
+      R"("from":{"point":20,"cl_line":21,"s_mm":22.5,"tip_mm":[1,2,3]},)"
+      R"("to":{"point":23,"cl_line":24,"s_mm":25.5,"tip_mm":[4,5,6]},"peak_deg_s":26.5,)"
+      R"("peak_ratio":27.5,"lowest_feed_mm_min":28.5,"programmed_time_s":29.5,)"
+      R"("time_lost_s":30.5,"cures":[]}],"zones_total":1,)"
+      R"("over_demands":[],"over_demands_total":0,)"
+      R"("inserted_points":14,"pole_axis_change_deg":0.125,)"
+          R"("pole_bends":[{"cl_line":16,"change_deg":0.0625}],)"
           R"("retracts":[{"cl_line":17,"reason":"C is wound up"}],)"
           R"("verification":{"passed":true,"tip_deviation_mm":0.0078125,)"
           R"("axis_deviation_deg":0.03125,"blocks_read":18},)"

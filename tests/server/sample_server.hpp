@@ -63,7 +63,20 @@ inline jobs::PostReport report() {
   report.inserted_points = 14;
   report.length_mm = 15.5;
   report.programmed_time_s = 16.25;
+  report.predicted_time_s = 17.25;
+  report.zones.total = 1;
+  report.zones.zones = {{.axis = "C",
+                         .rotary = true,
+                         .kind = kinematics::SingularityKind::pole,
+                         .from = {20, 21, 22.5, {1.0, 2.0, 3.0}},
+                         .to = {23, 24, 25.5, {4.0, 5.0, 6.0}},
+                         .peak_speed = 26.5,
+                         .peak_ratio = 27.5,
+                         .lowest_feed_mm_min = 28.5,
+                         .programmed_time_s = 29.5,
+                         .time_lost_s = 30.5}};
   report.pole_axis_change_deg = 0.125;
+  report.pole_bends = {{.cl_line = 16, .change_deg = 0.0625}};
   report.axes = {{.name = "A",
                   .rotary = true,
                   .min = -1.5,

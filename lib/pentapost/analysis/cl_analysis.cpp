@@ -1,5 +1,6 @@
 #include "pentapost/analysis/cl_analysis.hpp"
 
+#include "pentapost/analysis/quiet_moves.hpp"
 #include "pentapost/analysis/recorder.hpp"
 #include "pentapost/analysis/stretch.hpp"
 #include "pentapost/kinematics/inverse.hpp"
@@ -62,15 +63,18 @@ class Walk {
       : model_{model},
         tool_path_{tool_path},
         settings_{settings},
+        zones_only_{options.zones_only},
         recorder_{model, settings, options},
         setting_{tool_path} {}
 
-  Status run(const plan::Choice& choice, int tool_number, double gauge_length_mm) {
-    if (tool_number != tool_number_) recorder_.begin_operation(tool_number, operation_name());
-    tool_number_ = tool_number;
-    axis_path_ = &choice.axis_path;
-    slack_rad_ = choice.slack_rad;
-    gauge_length_mm_ = gauge_length_mm;
+  Status run(const plan::SequenceChoice& sequence) {
+    if (sequence.tool_number != tool_number_)
+      recorder_.begin_operation(sequence.tool_number, operation_name());
+    tool_number_ = sequence.tool_number;
+    axis_path_ = &sequence.choice.axis_path;
+    slack_rad_ = sequence.choice.slack_rad;
+    gauge_length_mm_ = sequence.gauge_length_mm;
+    if (zones_only_) quiet_.emplace(model_, settings_, recorder_.allowance(), gauge_length_mm_);
     departure_ = axis_path_->departures.begin();
     crossing_ = axis_path_->crossings.begin();
     recorder_.interrupt();
@@ -109,35 +113,61 @@ class Walk {
       operation_ = setting_.operation();
       recorder_.begin_operation(tool_number_, operation_name());
     }
-    const path::Segment segment{tip_mm(point - 1), axis(point - 1), tip_mm(point), axis(point),
-                                setting_.arc()};
     const double s_from_mm = s_mm_;
-    s_mm_ += segment.length_mm();
-    if (tool_path_.move[point] == path::Move::rapid) {
+    if (tool_path_.move[point] != path::Move::feed) {
+      s_mm_ += (tip_mm(point) - tip_mm(point - 1)).norm();
       if (crosses(point)) ++crossing_;
       reposition(Repositioning::Kind::rapid, point, tip_mm(point - 1), axis_path_->at(point));
       return ok();
     }
+    if (passes_quietly(point)) return ok();
+    const path::Segment segment{tip_mm(point - 1), axis(point - 1), tip_mm(point), axis(point),
+                                setting_.arc()};
+    s_mm_ += segment.length_mm();
     if (segment.length_mm() == 0.0) {
       if (crosses(point)) ++crossing_;
       turn(Repositioning::Kind::turn_in_place, point, axis_path_->at(point));
       return ok();
     }
     const auto feed_mm_min = setting_.feed_mm_min();
-    const std::uint32_t line = tool_path_.cl_line[point];
-    if (!feed_mm_min)
-      return Problem{.code = Code::no_feed,
-                     .message = "the cutting move to CL line " + std::to_string(line) +
-                                " has no feed; a FEDRAT before it is needed",
-                     .cl_line = line};
+    if (!feed_mm_min) return no_feed(point);
     const SurveyedMove move{.point = point,
-                            .line = line,
+                            .line = tool_path_.cl_line[point],
                             .s_from_mm = s_from_mm,
                             .length_mm = segment.length_mm(),
                             .time_s = 60.0 * segment.length_mm() / *feed_mm_min};
     cut(move, segment);
     recorder_.account(move);
     return ok();
+  }
+
+  Problem no_feed(std::uint32_t point) const {
+    const std::uint32_t line = tool_path_.cl_line[point];
+    return {.code = Code::no_feed,
+            .message = "the cutting move to CL line " + std::to_string(line) +
+                       " has no feed; a FEDRAT before it is needed",
+            .cl_line = line};
+  }
+
+  /// Takes a straight move on one branch that can be near no limit.
+  bool passes_quietly(std::uint32_t point) {
+    if (!quiet_ || setting_.arc() != nullptr || !setting_.feed_mm_min() || crosses(point) ||
+        axis_path_->branch[point - axis_path_->range.begin] == AxisPath::at_rest)
+      return false;
+    const double length_mm = (tip_mm(point) - tip_mm(point - 1)).norm();
+    const SurveyedMove move{.point = point,
+                            .line = tool_path_.cl_line[point],
+                            .s_from_mm = s_mm_,
+                            .length_mm = length_mm,
+                            .time_s = 60.0 * length_mm / *setting_.feed_mm_min()};
+    if (!(length_mm > 0.0) || !recorder_.may_pass(move) ||
+        !quiet_->is_quiet(tip_mm(point), axis(point - 1), axis(point), length_mm, move.time_s))
+      return false;
+    s_mm_ += length_mm;
+    recorder_.pass(move);
+    recorder_.account(move);
+    met_.reset();
+    return true;
   }
 
   std::string operation_name() const { return operation_ == nullptr ? "" : operation_->name; }
@@ -231,7 +261,9 @@ class Walk {
   const kinematics::Model& model_;
   const path::ToolPath& tool_path_;
   const plan::Settings& settings_;
+  const bool zones_only_;
   Recorder recorder_;
+  std::optional<QuietMoves> quiet_;
   Setting setting_;
   const path::Operation* operation_ = nullptr;  ///< as recorded
   int tool_number_ = 0;                         ///< 0: none yet
@@ -255,12 +287,23 @@ Result<PathAnalysis> analyse_path(const kinematics::Model& model, const plan::Jo
     const auto gauge = settings.gauge_length_mm.find(sequence.tool_number);
     const bool gauge_known = gauge != settings.gauge_length_mm.end();
     const double gauge_mm = gauge_known ? gauge->second : 0.0;
-    const auto choice = plan::choose(model, ranges, tool_path, sequence.range, settings, gauge_mm,
-                                     settings.origin_known && gauge_known);
-    if (!choice) return choice.error();
-    if (auto status = walk.run(*choice, sequence.tool_number, gauge_mm); !status)
+    auto choice = plan::choose(model, ranges, tool_path, sequence.range, settings, gauge_mm,
+                               settings.origin_known && gauge_known);
+    if (!choice) return std::move(choice).error();
+    if (auto status = walk.run({*std::move(choice), sequence.tool_number, gauge_mm}); !status)
       return std::move(status).error();
   }
+  return std::move(walk).finish();
+}
+
+Result<PathAnalysis> analyse_choices(const kinematics::Model& model,
+                                     const path::ToolPath& tool_path,
+                                     const plan::Settings& settings,
+                                     std::span<const plan::SequenceChoice> choices,
+                                     const AnalysisOptions& options) {
+  Walk walk{model, tool_path, settings, options};
+  for (const plan::SequenceChoice& choice : choices)
+    if (auto status = walk.run(choice); !status) return std::move(status).error();
   return std::move(walk).finish();
 }
 

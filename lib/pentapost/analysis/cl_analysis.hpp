@@ -5,7 +5,10 @@
 #include "pentapost/kinematics/model.hpp"
 #include "pentapost/path/tool_path.hpp"
 #include "pentapost/plan/branches.hpp"
+#include "pentapost/plan/choice.hpp"
 #include "pentapost/plan/settings.hpp"
+
+#include <span>
 
 namespace pentapost::analysis {
 
@@ -17,5 +20,14 @@ namespace pentapost::analysis {
 Result<PathAnalysis> analyse_path(const kinematics::Model& model, const plan::JointRanges& ranges,
                                   const path::ToolPath& tool_path, const plan::Settings& settings,
                                   const AnalysisOptions& options);
+
+/// The same for rotary solutions that have been chosen.
+///
+/// @param choices  of all sequences of the path, in order.
+Result<PathAnalysis> analyse_choices(const kinematics::Model& model,
+                                     const path::ToolPath& tool_path,
+                                     const plan::Settings& settings,
+                                     std::span<const plan::SequenceChoice> choices,
+                                     const AnalysisOptions& options);
 
 }  // namespace pentapost::analysis

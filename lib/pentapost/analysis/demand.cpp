@@ -19,6 +19,17 @@ kinematics::JointRates joint_rates(const PerAxis& rates) {
   return {{rates[0], rates[1], rates[2]}, rates[first_axis], rates[second_axis]};
 }
 
+double amplification(const kinematics::Model& model, std::size_t axis, double opening_sine,
+                     const Vec3& tool_axis) {
+  if (model.rotary_count < 2) return 1.0;
+  if (axis == first_axis) return 1.0 / opening_sine;
+  // Nearer to a pole rounding decides both sines.
+  constexpr double smallest_sine = 1e-9;
+  const double sin_gamma = model.a.cross(tool_axis).norm();
+  if (sin_gamma <= smallest_sine) return 1.0;
+  return std::max(1.0, sin_gamma / (std::sin(model.lambda_rad) * opening_sine));
+}
+
 std::optional<PerAxis> rates_of(const kinematics::JointMotion& motion, const Vec3& tip_rate_mm,
                                 double first_rad, double second_rad) {
   const auto linear = motion.linear_rates_mm(tip_rate_mm, first_rad, second_rad);

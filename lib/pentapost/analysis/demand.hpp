@@ -31,6 +31,15 @@ PerAxis per_axis(const kinematics::Joints& joints);
 PerAxis per_axis(const kinematics::JointRates& rates);
 kinematics::JointRates joint_rates(const PerAxis& rates);
 
+/// What the singularity multiplies the rate of a rotary joint by, at a tool axis (table frame).
+///
+/// The first joint's is 1 / |sin B|. The second one's is sin(gamma) / (sin(lambda) |sin B|), by the
+/// sine rule the inverse sine of the triangle's angle at the tool: 1 at a pole, where only the
+/// first joint races, and without bound where the reach ends. At least 1; infinite at a singularity
+/// of that joint; 1 without a triangle.
+double amplification(const kinematics::Model& model, std::size_t axis, double opening_sine,
+                     const Vec3& tool_axis);
+
 /// Rates of all axes where the rotary joints have these.
 /// @return nullopt where the linear axes do not span space.
 std::optional<PerAxis> rates_of(const kinematics::JointMotion& motion, const Vec3& tip_rate_mm,
@@ -42,7 +51,7 @@ using SpeedLimits = std::array<std::optional<double>, axis_count>;
 /// A demand against the limits, for a move that takes `time_s` at the programmed feed.
 struct Load {
   PerAxis ratio{};  ///< speed over limit; 0 where there is no limit
-  /// The same of what the tool's motion asks for: both rotary rates divided by the amplification,
+  /// The same of what the tool's motion asks for: the rotary rates divided by their amplification,
   /// and the linear rates that go with those. 0 where no axis is over its share.
   PerAxis asked_ratio{};
   double largest() const;

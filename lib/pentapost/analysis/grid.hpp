@@ -52,6 +52,9 @@ class Grid {
  private:
   static constexpr double largest_change = 0.03;
   static constexpr int most_levels = 24;
+  /// Beyond so many places a stretch all along a singularity is divided no further than this.
+  static constexpr std::size_t many_places = 20'000;
+  static constexpr int few_levels = 8;
   static constexpr int crossing_levels = 40;
   /// So far inside a stretch its rates stand for those at a singularity on its end.
   static constexpr double inside_share = 1e-6;
@@ -80,7 +83,8 @@ class Grid {
   void divide(const Place& from, const Place& to, int level, std::vector<Place>& places) const {
     const double change =
         stretch_.relative_change(from.demand, to.demand, to.fraction - from.fraction);
-    if (change > largest_change && level < most_levels) {
+    const int levels = places.size() < many_places ? most_levels : few_levels;
+    if (change > largest_change && level < levels) {
       if (const auto middle = at(0.5 * (from.fraction + to.fraction))) {
         divide(from, *middle, level + 1, places);
         divide(*middle, to, level + 1, places);

@@ -3,6 +3,7 @@
 #include "pentapost/analysis/samples.hpp"
 #include "pentapost/analysis/spans.hpp"
 #include "pentapost/analysis/survey.hpp"
+#include "pentapost/analysis/window_loads.hpp"
 #include "pentapost/kinematics/singularity.hpp"
 #include "pentapost/plan/settings.hpp"
 
@@ -35,6 +36,10 @@ struct AnalysisOptions {
   double share = 1.0;  ///< of a limit, from which a stretch counts as a zone
   /// Most samples for plots, at least Samples::fewest; nullopt: none, and no accelerations.
   std::optional<std::size_t> most_samples = {};
+  /// Moves that can be near no limit are only timed: peaks, spans and the closest approach are
+  /// those of the other moves alone.
+  bool zones_only = false;
+  std::vector<Window> windows = {};  ///< to be measured apart; in order, without overlap
 };
 
 /// What a path asks of a machine's axes at the programmed feed.
@@ -53,6 +58,7 @@ struct PathAnalysis {
   double predicted_time_s = 0.0;          ///< of these, slowed down to the speed limits
   std::vector<OperationTime> operations;  ///< in order; those that cut
   std::vector<Sample> samples;            ///< in order
+  std::vector<WindowLoad> window_loads;   ///< of the windows asked for
 };
 
 /// Limits by the order of the model's axes, from those of the settings.

@@ -9,7 +9,8 @@ namespace pentapost::analysis {
 Recorder::Recorder(const kinematics::Model& model, const plan::Settings& settings,
                    const AnalysisOptions& options)
     : allowance_{speed_limits(model, settings), options.share},
-      survey_{kinematics::singularities(model), allowance_} {
+      survey_{kinematics::singularities(model), allowance_},
+      windows_{options.windows} {
   analysis_.singularities = kinematics::singularities(model);
   if (options.most_samples) samples_.emplace(*options.most_samples);
 }
@@ -22,6 +23,7 @@ void Recorder::begin_operation(int tool_number, const std::string& name) {
 void Recorder::take_places(const SurveyedMove& move) {
   survey_.take(move, places_);
   analysis_.spans.take(places_);
+  windows_.take(move, places_);
   if (samples_) samples_->take(move, places_);
 }
 
@@ -70,6 +72,7 @@ PathAnalysis Recorder::finish() && {
   analysis_.zones = survey_.singular_zones();
   analysis_.over_demands = survey_.plain_zones();
   analysis_.predicted_time_s = survey_.predicted_time_s();
+  analysis_.window_loads = windows_.loads();
   if (samples_) analysis_.samples = std::move(*samples_).finish();
   return std::move(analysis_);
 }

@@ -23,6 +23,11 @@ class Recorder {
     Grid{stretch, move.time_s, allowance_, samples_.has_value()}.fill(places_);
     take_places(move);
   }
+  /// Whether no more than its time is to be known of a cutting move that is near no limit.
+  bool may_pass(const SurveyedMove& move) { return windows_.is_outside(move); }
+  /// Takes such a move.
+  void pass(const SurveyedMove& move) { survey_.pass(move); }
+  const Allowance& allowance() const { return allowance_; }
   /// Counts a cutting move, all its stretches.
   void account(const SurveyedMove& move);
   /// A move from one posture to another without a feed along the path.
@@ -42,6 +47,7 @@ class Recorder {
   PathAnalysis analysis_;
   Survey survey_;
   std::optional<Samples> samples_;
+  WindowLoads windows_;
   std::vector<Place> places_;
   OperationTime operation_;  ///< joins the others with its first cut
   bool has_cut_ = false;     ///< in this operation

@@ -100,17 +100,20 @@ std::optional<PerAxis> ClStretch::acceleration(double fraction, const Demand& de
 PerAxis ClStretch::asked(double fraction, const Demand& demand) const {
   const JointMotion* const found = motion(fraction);
   if (found == nullptr) return demand.rate;
-  const auto rates = rates_of(*found, segment_.tip_rate_mm(fraction),
-                              demand.opening_sine * demand.rate[first_axis],
-                              demand.opening_sine * demand.rate[second_axis]);
+  const auto asked_rad = [&](std::size_t axis) {
+    return demand.rate[axis] / amplification(model_, axis, demand.opening_sine, demand.axis);
+  };
+  const auto rates = rates_of(*found, segment_.tip_rate_mm(fraction), asked_rad(first_axis),
+                              asked_rad(second_axis));
   return rates ? *rates : demand.rate;
 }
 
 double ClStretch::relative_change(const Demand& from, const Demand& to, double length) const {
   if (follows_ == Follows::rest) return length * std::abs(from.rate[first_axis]);
-  const double turn = segment_.axis_angle_rad() + segment_.sweep_rad();
-  if (turn == 0.0) return 0.0;
-  return length * turn / std::min(from.opening_sine, to.opening_sine);
+  const double sweep_rad = length * segment_.sweep_rad();
+  const double turn_rad = length * segment_.axis_angle_rad();
+  if (turn_rad == 0.0) return sweep_rad;
+  return sweep_rad + turn_rad / std::min(from.opening_sine, to.opening_sine);
 }
 
 // On the great circle cos(gamma) = c.o0 cos(x) + c.u sin(x) has its ends at x and x + pi.

@@ -40,8 +40,8 @@ class ClStretch {
   /// The joints' motion at the end, for the stretch that goes on from there; nullopt: at() was not
   /// asked for it.
   const std::optional<kinematics::JointMotion>& at_end() const { return at_end_; }
-  /// Rates that the tool's motion asks for by itself: both rotary rates of `demand`, which is of
-  /// the same fraction, divided by the amplification.
+  /// Rates that the tool's motion asks for by itself: the rotary rates of `demand`, which is of the
+  /// same fraction, divided by their amplification.
   PerAxis asked(double fraction, const Demand& demand) const;
   /// At an even feed; nullopt: a singularity.
   std::optional<PerAxis> acceleration(double fraction, const Demand& demand) const;

@@ -34,13 +34,19 @@ void Survey::take(const SurveyedMove& move, const std::vector<Place>& places) {
   }
 }
 
+void Survey::pass(const SurveyedMove& move) {
+  interrupt();
+  predicted_time_s_ += move.time_s;
+}
+
 void Survey::interrupt() { singular_.is_open = plain_.is_open = false; }
 
 void Survey::take_place(const SurveyedMove& move, const Place& place) {
   for (std::size_t i = 0; i < axis_count; ++i) {
     const double speed = std::abs(place.demand.rate[i]) / move.time_s;
     if (speed > peaks_[i].speed)
-      peaks_[i] = {speed, place.load.ratio[i], place.demand.opening_sine, move.place(place)};
+      peaks_[i] = {speed, place.load.ratio[i], place.demand.opening_sine, place.demand.axis,
+                   move.place(place)};
   }
   if (place.acceleration) {
     if (!peak_accelerations_) peak_accelerations_.emplace();
@@ -96,6 +102,7 @@ void Survey::raise(Zone& zone, const SurveyedMove& move, const Place& place) con
     zone.peak_ratio = ratio;
     zone.peak_speed = std::abs(place.demand.rate[axis]) / move.time_s;
     zone.opening_sine = place.demand.opening_sine;
+    zone.tool_axis = place.demand.axis;
   }
   const double feed = move.feed_mm_min() / std::max(1.0, ratio);
   if (zone.lowest_feed_mm_min == 0.0 || feed < zone.lowest_feed_mm_min)

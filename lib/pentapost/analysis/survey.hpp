@@ -23,6 +23,7 @@ struct AxisPeak {
   double speed = 0.0;         ///< mm/s or rad/s
   double ratio = 0.0;         ///< over the limit; 0 where there is none
   double opening_sine = 1.0;  ///< there; see Demand
+  Vec3 axis = Vec3::UnitZ();  ///< tool axis there, table frame
   PathPlace at;
 };
 
@@ -42,6 +43,7 @@ struct Zone {
   double peak_speed = 0.0;          ///< of that axis, mm/s or rad/s
   double peak_ratio = 0.0;
   double opening_sine = 1.0;        ///< at the peak; see Demand
+  Vec3 tool_axis = Vec3::UnitZ();   ///< at the peak, table frame
   double lowest_feed_mm_min = 0.0;  ///< that the axes can hold all through the zone
   double programmed_time_s = 0.0;   ///< through the zone
   double time_lost_s = 0.0;         ///< against the programmed feed, by the speed limits
@@ -68,6 +70,8 @@ class Survey {
 
   /// The places of one stretch of a move, as a Grid gives them.
   void take(const SurveyedMove& move, const std::vector<Place>& places);
+  /// A move that is nowhere over its allowance.
+  void pass(const SurveyedMove& move);
   /// The path does not go on: the tool is repositioned.
   void interrupt();
 

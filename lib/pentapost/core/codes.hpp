@@ -30,6 +30,10 @@ enum class Code {
   feed_per_revolution,
   spindle_off,
   too_large,
+  // NC programs that are analysed
+  damaged_block,
+  feed_rule_assumed,
+  position_unknown,
   // the request
   bad_json,
   bad_form,
@@ -110,6 +114,9 @@ inline constexpr std::array code_rows{
             "A feed per revolution needs a spindle speed"},
     CodeRow{Code::spindle_off, "spindle_off", "A tool cuts with the spindle off"},
     CodeRow{Code::too_large, "too_large", "A part of the input is larger than the limit"},
+    CodeRow{Code::damaged_block, "damaged_block", "A block of the NC program is not understood"},
+    CodeRow{Code::feed_rule_assumed, "feed_rule_assumed", "The meaning of a feed was assumed"},
+    CodeRow{Code::position_unknown, "position_unknown", "A feed move leads to an unknown place"},
     CodeRow{Code::bad_json, "bad_json", "The body is not valid JSON"},
     CodeRow{Code::bad_form, "bad_form", "The body is not a valid form"},
     CodeRow{Code::unknown_key, "unknown_key", "A key is not known"},

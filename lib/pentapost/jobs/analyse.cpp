@@ -2,7 +2,9 @@
 
 #include "pentapost/analysis/cl_analysis.hpp"
 #include "pentapost/core/number_text.hpp"
+#include "pentapost/jobs/analyse_program.hpp"
 #include "pentapost/jobs/analysis_reporter.hpp"
+#include "pentapost/jobs/cures.hpp"
 #include "pentapost/jobs/prepared_job.hpp"
 
 #include <algorithm>
@@ -51,18 +53,22 @@ void warn_of_assumptions(const PostJob& job, PreparedJob& prepared) {
 
 Result<AnalyseReport> analyse(const AnalyseJob& job) {
   if (auto status = check_own_domain(job); !status) return std::move(status).error();
+  if (job.nc) return analyse_program(job);
   auto prepared = prepare(job.job);
   if (!prepared) return std::move(prepared).error();
   expand_holes(*prepared, [](std::uint32_t) { return false; });
+  const auto bent = bend_at_poles(*prepared);
+  const path::ToolPath& tool_path = bent.bends.empty() ? prepared->read.tool_path : bent.tool_path;
   warn_of_assumptions(job.job, *prepared);
-  auto analysis = analysis::analyse_path(prepared->model, prepared->ranges,
-                                         prepared->read.tool_path, prepared->settings,
-                                         {.share = job.zone_share, .most_samples = job.samples});
+  auto analysis =
+      analysis::analyse_path(prepared->model, prepared->ranges, tool_path, prepared->settings,
+                             {.share = job.zone_share, .most_samples = job.samples});
   if (!analysis) return std::move(analysis).error();
 
   AnalyseReport report;
   static_cast<ReportHead&>(report) = report_head(job.job, prepared->read);
-  report.points = prepared->read.tool_path.size();
+  report.points = tool_path.size();
+  if (!bent.bends.empty()) report.pole_axis_change_deg = bent.largest_change_rad * deg_per_rad;
   const ReportFrame frame{.model = prepared->model,
                           .ranges = prepared->ranges,
                           .settings = prepared->settings,
@@ -70,6 +76,7 @@ Result<AnalyseReport> analyse(const AnalyseJob& job) {
                           .linear_known = job.job.setup.origin_mm.has_value()};
   if (auto status = report_analysis(frame, std::move(*analysis), report); !status)
     return std::move(status).error();
+  find_cures(job, *prepared, tool_path, report.zones);
   report.diagnostics = std::move(prepared->read.diagnostics);
   return report;
 }

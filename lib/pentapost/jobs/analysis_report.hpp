@@ -55,8 +55,9 @@ struct ZoneReport {
   std::optional<double> closest_deg = {};  ///< nullopt: the machine has no singularity
   double peak_speed = 0.0;                 ///< mm/s or deg/s
   double peak_ratio = 0.0;
-  std::optional<double> amplification = {};  ///< at the peak; nullopt: at the singularity itself
-  double lowest_feed_mm_min = 0.0;           ///< that the axes can hold all through
+  /// Of that axis at the peak; nullopt: a linear axis, or the singularity itself.
+  std::optional<double> amplification = {};
+  double lowest_feed_mm_min = 0.0;  ///< that the axes can hold all through
   double programmed_time_s = 0.0;
   double time_lost_s = 0.0;
   std::vector<Cure> cures = {};  ///< of singular zones; the least time lost first
@@ -92,8 +93,9 @@ struct SampleColumns {
   std::vector<double> s_mm, feed_mm_min;
   std::vector<std::uint32_t> line;
   std::vector<bool> goes_on;  ///< from the sample before, without a repositioning between
-  std::vector<std::optional<double>> amplification;  ///< nullopt: at a singularity
-  std::vector<Vec3> axis;                            ///< tool axis, CL coordinates
+  /// Of the first rotary axis, the larger one; nullopt: at a singularity.
+  std::vector<std::optional<double>> amplification;
+  std::vector<Vec3> axis;  ///< tool axis, CL coordinates
   std::vector<AxisColumns> axes;
 };
 
@@ -108,6 +110,7 @@ struct AnalyseReport : ReportHead {
   double programmed_time_s = 0.0;     ///< of the cutting path at the programmed feed
   double predicted_time_s = 0.0;      ///< of it, slowed down to the speed limits
   double repositioning_time_s = 0.0;  ///< of all repositionings whose axes have limits
+  std::optional<double> pole_axis_change_deg = {};  ///< nullopt: the CL's own path is analysed
   std::optional<double> closest_approach_deg = {};  ///< nullopt: none, or no cutting path
   std::optional<double> peak_ratio = {};            ///< nullopt: no axis has a limit
   std::vector<AxisDemandReport> axes;

@@ -26,9 +26,8 @@ double in_unit(std::size_t axis, double value) {
   return is_rotary(axis) ? value * deg_per_rad : value;
 }
 
-std::optional<double> amplification(double opening_sine) {
-  const double factor = 1.0 / opening_sine;
-  return std::isfinite(factor) ? std::optional{factor} : std::nullopt;
+std::optional<double> finite(double number) {
+  return std::isfinite(number) ? std::optional{number} : std::nullopt;
 }
 
 PathPlace in_cl(const ReportFrame& frame, PathPlace place) {
@@ -56,13 +55,23 @@ AxisDemandReport report_axis(const ReportFrame& frame, const PathAnalysis& analy
   }
   if (peak.speed > 0.0) report.peak_at = in_cl(frame, peak.at);
   if (report.rotary && frame.model.rotary_count == 2 && peak.speed > 0.0) {
-    report.amplification = amplification(peak.opening_sine);
-    if (report.amplification) report.asked_speed = report.peak_speed * peak.opening_sine;
+    report.amplification =
+        finite(analysis::amplification(frame.model, axis, peak.opening_sine, peak.axis));
+    if (report.amplification) report.asked_speed = report.peak_speed / *report.amplification;
   }
   if (analysis.peak_accelerations)
     report.peak_acceleration = in_unit(axis, (*analysis.peak_accelerations)[axis]);
   report.acceleration_limit = acceleration_limit(frame, axis);
   return report;
+}
+
+/// The cure that every zone over a limit has.
+Cure lower_feed(const analysis::Zone& zone) {
+  const double length_mm = zone.to.s_mm - zone.from.s_mm;
+  return {.kind = Cure::Kind::feed,
+          .time_lost_s = 60.0 * length_mm / zone.lowest_feed_mm_min - zone.programmed_time_s,
+          .peak_ratio = 1.0,
+          .feed_mm_min = zone.lowest_feed_mm_min};
 }
 
 ZoneReport report_zone(const ReportFrame& frame, const analysis::Zone& zone, bool singular) {
@@ -77,7 +86,10 @@ ZoneReport report_zone(const ReportFrame& frame, const analysis::Zone& zone, boo
                     .time_lost_s = zone.time_lost_s};
   if (zone.closest) report.closest_deg = zone.closest->distance_rad * deg_per_rad;
   if (singular && zone.closest) report.kind = zone.closest->kind;
-  if (frame.model.rotary_count == 2) report.amplification = amplification(zone.opening_sine);
+  if (singular && zone.peak_ratio > 1.0) report.cures.push_back(lower_feed(zone));
+  if (frame.model.rotary_count == 2 && report.rotary)
+    report.amplification =
+        finite(analysis::amplification(frame.model, zone.axis, zone.opening_sine, zone.tool_axis));
   return report;
 }
 
@@ -107,7 +119,7 @@ SampleColumns report_samples(const ReportFrame& frame,
     columns.feed_mm_min.push_back(sample.feed_mm_min);
     columns.line.push_back(sample.at.line);
     columns.goes_on.push_back(sample.goes_on);
-    columns.amplification.push_back(amplification(sample.opening_sine));
+    columns.amplification.push_back(finite(1.0 / sample.opening_sine));
     columns.axis.emplace_back(frame.to_cl * sample.axis);
     for (std::size_t axis = 0; axis < columns.axes.size(); ++axis) {
       AxisColumns& column = columns.axes[axis];

@@ -7,7 +7,7 @@ namespace pentapost::jobs {
 
 /// Whether the numbers of a job that stand for themselves are within their domains.
 ///
-/// @return Problem out_of_domain with value, limit and pointer.
+/// @return Problem out_of_domain with value, limit and pointer, or conflicting_keys.
 Status check_domain(const PostJob& job);
 
 }  // namespace pentapost::jobs

@@ -1,5 +1,6 @@
 #include "pentapost/jobs/post.hpp"
 
+#include "pentapost/jobs/post_zones.hpp"
 #include "pentapost/jobs/prepared_job.hpp"
 #include "pentapost/jobs/unproven.hpp"
 #include "pentapost/nc/dialect.hpp"
@@ -7,6 +8,8 @@
 #include "pentapost/plan/program.hpp"
 #include "pentapost/verify/proof.hpp"
 
+#include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -67,8 +70,9 @@ path::ProgramHeader header_of(const PostJob& job, const path::ToolPath& tool_pat
 Result<verify::Proof> write_and_prove(const PostJob& job, const Control& control,
                                       const kinematics::Model& model,
                                       const plan::Settings& settings,
-                                      const path::ToolPath& tool_path, const path::Motion& motion,
-                                      std::string& nc) {
+                                      const path::ToolPath& tool_path,
+                                      std::span<const Vec3> planned_axis_wp,
+                                      const path::Motion& motion, std::string& nc) {
   const auto header = header_of(job, tool_path);
   verify::Claim claim{.tool_path = tool_path,
                       .model = model,
@@ -78,7 +82,9 @@ Result<verify::Proof> write_and_prove(const PostJob& job, const Control& control
                       .origin_mm = settings.origin_mm,
                       .gauge_length_mm = job.gauge_length_mm,
                       .tip_tolerance_mm = settings.tip_tolerance_mm,
-                      .axis_tolerance_rad = settings.axis_tolerance_rad};
+                      .axis_tolerance_rad = settings.axis_tolerance_rad,
+                      .planned_axis_wp = planned_axis_wp,
+                      .pole_axis_rad = settings.pole_axis_rad};
   const auto with = [&](const machine::Options& options,
                         std::string& text) -> Result<verify::Proof> {
     if (auto status = control.dialect->write(motion, header, options, text); !status)
@@ -93,6 +99,20 @@ Result<verify::Proof> write_and_prove(const PostJob& job, const Control& control
                     std::string text;
                     return with(options, text).has_value();
                   });
+}
+
+/// The program of the bent path. Where its bends make it fail, or cost a retract, the CL's own path
+/// is planned.
+Result<plan::Program> plan_with_bends(const PreparedJob& prepared, plan::PoleBends& bent) {
+  const auto& [control, read, model, ranges, settings] = prepared;
+  if (bent.bends.empty()) return plan::plan_program(model, ranges, read.tool_path, settings);
+  auto with_bends = plan::plan_program(model, ranges, bent.tool_path, settings);
+  if (with_bends && with_bends->retracts.empty()) return with_bends;
+  auto without = plan::plan_program(model, ranges, read.tool_path, settings);
+  if (with_bends && (!without || with_bends->retracts.size() <= without->retracts.size()))
+    return with_bends;
+  bent = {};
+  return without;
 }
 
 /// What the planning refuses, with the place in the job.
@@ -118,25 +138,38 @@ Status check_options(const machine::Definition& definition) {
 Result<PostReport> post(const PostJob& job) {
   auto prepared = prepare(job);
   if (!prepared) return std::move(prepared).error();
-  const auto& [control, read, model, ranges, settings] = *prepared;
+  auto& [control, read, model, ranges, settings] = *prepared;
   expand_holes(*prepared, plan::native_holes(model, read.tool_path, settings));
   if (auto status = check_gauge_lengths(job, *prepared); !status) return std::move(status).error();
-  auto program = plan::plan_program(model, ranges, read.tool_path, settings);
+  auto bent = bend_at_poles(*prepared);
+  auto program = plan_with_bends(*prepared, bent);
   if (!program) return placed(std::move(program).error());
 
   PostReport report;
-  const auto proof =
-      write_and_prove(job, control, model, settings, read.tool_path, program->motion, report.nc);
+  report_zones(job, *prepared, bent.bends.empty() ? read.tool_path : bent.tool_path, *program,
+               report);
+  if (job.post.zone_comments) comment_zones(report, program->motion);
+  // What is proven is how far the program leaves the CL data, not the plan.
+  std::vector<Vec3> planned_axis_wp;
+  if (!bent.bends.empty()) {
+    read.tool_path = std::move(bent.tool_path);
+    planned_axis_wp = std::exchange(read.tool_path.axis_wp, std::move(bent.cl_axis_wp));
+  }
+  const auto proof = write_and_prove(job, control, model, settings, read.tool_path, planned_axis_wp,
+                                     program->motion, report.nc);
   if (!proof) return proof.error();
 
   static_cast<ReportHead&>(report) = report_head(job, read);
   report.dialect = control.dialect->name;
   report.output = control.output;
   report.blocks = program->motion.blocks.size();
-  report.inserted_points = program->inserted_points;
+  report.inserted_points = program->inserted_points + bent.inserted_points;
   report.length_mm = program->length_mm;
   report.programmed_time_s = program->programmed_time_s;
-  report.pole_axis_change_deg = program->axis_change_rad * deg_per_rad;
+  report.pole_axis_change_deg =
+      std::max(program->axis_change_rad, bent.largest_change_rad) * deg_per_rad;
+  for (const auto& bend : bent.bends)
+    report.pole_bends.push_back({bend.cl_line, bend.change_rad * deg_per_rad});
   report.axes = axis_reports(ranges, model, settings, plan::word_columns(model), *proof);
   for (auto& retract : program->retracts)
     report.retracts.push_back({retract.cl_line, std::move(retract.reason)});

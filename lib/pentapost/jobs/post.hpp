@@ -3,6 +3,7 @@
 #include "pentapost/core/output.hpp"
 #include "pentapost/core/result.hpp"
 #include "pentapost/core/units.hpp"
+#include "pentapost/jobs/analysis_report.hpp"
 #include "pentapost/jobs/report_head.hpp"
 #include "pentapost/machine/definition.hpp"
 
@@ -43,6 +44,7 @@ struct Setup {
 inline constexpr double largest_tip_tolerance_mm = 1.0;
 inline constexpr double largest_axis_tolerance_deg = 5.0;
 inline constexpr double largest_setup_angle_deg = 360.0;
+inline constexpr double largest_pole_axis_deg = 5.0;
 
 struct Tolerances {
   double tip_mm = 0.01;    ///< > 0, at most largest_tip_tolerance_mm
@@ -55,7 +57,11 @@ struct PostOptions {
   std::optional<std::string> program_name = {};     ///< nullopt: PARTNO
   std::string default_program_name = {};            ///< where there is no PARTNO either
   std::optional<machine::Preferences> prefer = {};  ///< nullopt: as the definition
+  bool zone_comments = false;  ///< the program warns of each zone and over-demand where it begins
   bool flank = false;  ///< a flank cut: the tool axis has no freedom at the pole
+  /// By how much the tool axis may be changed so that a path that passes a pole leads through it
+  /// (lib/README.md section 4). 0 to largest_pole_axis_deg; 0 for a flank cut.
+  double pole_axis_deg = 0.0;
 };
 
 struct PostJob {
@@ -78,6 +84,12 @@ struct AxisReport {
   std::optional<double> speed_limit = {};   ///< mm/s or deg/s
 };
 
+/// A passage of a pole that was led through it.
+struct PoleBendReport {
+  std::uint32_t cl_line = 0;  ///< of the move that is nearest to the pole
+  double change_deg = 0.0;    ///< largest change of the tool axis
+};
+
 struct RetractReport {
   std::uint32_t cl_line = 0;
   std::string reason;
@@ -96,9 +108,14 @@ struct PostReport : ReportHead {
   Output output = Output::tcp;
   std::uint64_t blocks = 0;  ///< motion blocks
   std::uint64_t inserted_points = 0;
-  double length_mm = 0.0;             ///< of the tip's cutting path
-  double programmed_time_s = 0.0;     ///< of the cutting path at the programmed feed
-  double pole_axis_change_deg = 0.0;  ///< largest use of the freedom at the pole
+  double length_mm = 0.0;          ///< of the tip's cutting path
+  double programmed_time_s = 0.0;  ///< of the cutting path at the programmed feed
+  std::optional<double> predicted_time_s = {};  ///< of it, slowed down to the speed limits
+  ZonesReport zones, over_demands;              ///< where an axis is over its speed limit
+  /// Largest change of the tool axis: by the bends, or by the freedom at the pole and at the edge
+  /// of the reach.
+  double pole_axis_change_deg = 0.0;
+  std::vector<PoleBendReport> pole_bends;
   std::vector<AxisReport> axes;
   std::vector<RetractReport> retracts;
   Verification verification;

@@ -51,6 +51,7 @@ plan::Settings settings_of(const PostJob& job, const Control& control) {
   settings.tip_tolerance_mm = job.tolerances.tip_mm;
   settings.axis_tolerance_rad = job.tolerances.axis_deg * rad_per_deg;
   settings.flank = job.post.flank;
+  settings.pole_axis_rad = job.post.pole_axis_deg * rad_per_deg;
   settings.output = control.output;
   settings.origin_mm = job.setup.origin_mm.value_or(Vec3::Zero());
   settings.origin_known = job.setup.origin_mm.has_value();
@@ -82,20 +83,27 @@ plan::Settings settings_of(const PostJob& job, const Control& control) {
 
 }  // namespace
 
-Result<PreparedJob> prepare(const PostJob& job) {
+Result<PreparedJob> prepare_unread(const PostJob& job) {
   if (auto status = check_domain(job); !status) return std::move(status).error();
   auto control = control_of(job);
   if (!control) return std::move(control).error();
-  auto read = read_path(job);
-  if (!read) return std::move(read).error();
-  if (job.setup.theta_x_deg != 0.0 || job.setup.theta_z_deg != 0.0)
-    path::turn(read->tool_path, turn_of(job.setup));
   const kinematics::Model model{job.machine.chain};
   return PreparedJob{.control = *control,
-                     .read = std::move(*read),
+                     .read = {},
                      .model = model,
                      .ranges = plan::joint_ranges(job.machine.chain, model),
                      .settings = settings_of(job, *control)};
+}
+
+Result<PreparedJob> prepare(const PostJob& job) {
+  auto prepared = prepare_unread(job);
+  if (!prepared) return prepared;
+  auto read = read_path(job);
+  if (!read) return std::move(read).error();
+  prepared->read = std::move(*read);
+  if (job.setup.theta_x_deg != 0.0 || job.setup.theta_z_deg != 0.0)
+    path::turn(prepared->read.tool_path, turn_of(job.setup));
+  return prepared;
 }
 
 Mat3 turn_of(const Setup& setup) {
@@ -108,6 +116,11 @@ void expand_holes(PreparedJob& prepared,
   if (std::find(tool_path.move.begin(), tool_path.move.end(), path::Move::hole) !=
       tool_path.move.end())
     tool_path = cl::expand_cycles(tool_path, stays_native, &prepared.read.diagnostics);
+}
+
+plan::PoleBends bend_at_poles(const PreparedJob& prepared) {
+  return plan::bend_at_poles(prepared.model, prepared.ranges, prepared.settings,
+                             prepared.read.tool_path);
 }
 
 std::optional<int> missing_gauge_length(const PostJob& job, const path::ToolPath& tool_path) {

@@ -16,6 +16,13 @@ struct Choice {
   double axis_change_rad = 0.0;  ///< largest use of the freedom of the tool axis
 };
 
+/// The choice of a sequence.
+struct SequenceChoice {
+  Choice choice;
+  int tool_number = 1;
+  double gauge_length_mm = 0.0;  ///< 0 where unknown
+};
+
 /// Chooses branch and turns for a range: by the cheaper way where its answer is beyond doubt, else
 /// by the whole search.
 ///

@@ -462,13 +462,15 @@ Status cut_sequence(const kinematics::Model& model, const JointRanges& ranges,
                     const path::ToolPath& tool_path, const Settings& settings,
                     const Sequence& sequence, double gauge_length_mm, bool check_linear,
                     Frame& frame, Program& program) {
-  const auto choice =
+  auto chosen =
       choose(model, ranges, tool_path, sequence.range, settings, gauge_length_mm, check_linear);
-  if (!choice) return choice.error();
-  program.axis_change_rad = std::max(program.axis_change_rad, choice->axis_change_rad);
+  if (!chosen) return std::move(chosen).error();
+  program.choices.push_back({*std::move(chosen), sequence.tool_number, gauge_length_mm});
+  const Choice& choice = program.choices.back().choice;
+  program.axis_change_rad = std::max(program.axis_change_rad, choice.axis_change_rad);
   frame.begin_sequence(sequence);
   return Cutting{
-      model,           ranges,       tool_path, settings, choice->axis_path, choice->slack_rad,
+      model,           ranges,       tool_path, settings, choice.axis_path, choice.slack_rad,
       gauge_length_mm, check_linear, frame,     program}
       .run();
 }

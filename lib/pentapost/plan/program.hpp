@@ -6,6 +6,7 @@
 #include "pentapost/path/motion.hpp"
 #include "pentapost/path/tool_path.hpp"
 #include "pentapost/plan/branches.hpp"
+#include "pentapost/plan/choice.hpp"
 #include "pentapost/plan/settings.hpp"
 
 #include <cstdint>
@@ -24,10 +25,11 @@ struct Program {
   path::Motion motion;
   std::vector<Retract> retracts;
   Diagnostics diagnostics;
-  std::uint64_t inserted_points = 0;  ///< ends of blocks that are no CL points
-  double length_mm = 0.0;             ///< of the tip's cutting path
-  double programmed_time_s = 0.0;     ///< of that path at the feed of the CL data
-  double axis_change_rad = 0.0;       ///< largest use of the freedom of the tool axis
+  std::uint64_t inserted_points = 0;    ///< ends of blocks that are no CL points
+  double length_mm = 0.0;               ///< of the tip's cutting path
+  double programmed_time_s = 0.0;       ///< of that path at the feed of the CL data
+  double axis_change_rad = 0.0;         ///< largest use of the freedom of the tool axis
+  std::vector<SequenceChoice> choices;  ///< in order of the sequences
 };
 
 /// Plans the NC program for a tool path: choice of solutions, linearisation, feeds, and the safe

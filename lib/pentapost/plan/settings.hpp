@@ -13,7 +13,8 @@ namespace pentapost::plan {
 struct Settings {
   double tip_tolerance_mm = 0.01;
   double axis_tolerance_rad = 0.05 * rad_per_deg;
-  bool flank = false;  ///< the tool axis has no freedom at the pole
+  bool flank = false;          ///< the tool axis has no freedom at the pole
+  double pole_axis_rad = 0.0;  ///< by which the tool axis may be changed to pass through a pole
   Output output = Output::tcp;
   Vec3 origin_mm = Vec3::Zero();               ///< CL origin in the table frame
   bool origin_known = false;                   ///< with a gauge length: linear ranges are checked

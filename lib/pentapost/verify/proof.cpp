@@ -1,5 +1,6 @@
 #include "pentapost/verify/proof.hpp"
 
+#include "pentapost/verify/pole_allowance.hpp"
 #include "pentapost/verify/replay.hpp"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ Status check(const Claim& claim) {
       std::all_of(claim.gauge_length_mm.begin(), claim.gauge_length_mm.end(),
                   [](const auto& tool) { return std::isfinite(tool.second); });
   if (!gauges_are_finite) return failed("A gauge length is not finite");
-  return ok();
+  return check_pole_allowance(claim);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -30,6 +31,12 @@ struct Claim {
   std::map<int, double> gauge_length_mm = {};  ///< by tool number; used only where the head turns
   double tip_tolerance_mm = 0.01;
   double axis_tolerance_rad = 0.0;
+  /// Tool axes that were planned instead of the CL's, one a point; empty: the CL's own. On the
+  /// moves to and from a point with another axis a feed block may leave the CL axis by the
+  /// tolerance and pole_axis_rad. Only near a pole: the CL axis at both ends of such a move must
+  /// lie within sqrt(2 pole_axis_rad) of one that the machine has.
+  std::span<const Vec3> planned_axis_wp = {};
+  double pole_axis_rad = 0.0;
 };
 
 struct AxisSpan {

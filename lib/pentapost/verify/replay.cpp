@@ -21,6 +21,11 @@ struct Overloaded : Visitors... {
 template <class... Visitors>
 Overloaded(Visitors...) -> Overloaded<Visitors...>;
 
+Deviation limit_of(const Claim& claim, double axis_rad) {
+  return {claim.tip_tolerance_mm * (1.0 + tolerance_rounding),
+          chord_of_angle(std::min(axis_rad, pi)) * (1.0 + tolerance_rounding)};
+}
+
 double half_digit(int decimals) { return 0.5 * std::pow(10.0, -decimals); }
 
 }  // namespace
@@ -32,8 +37,8 @@ Replay::Replay(const Claim& claim, const AxisColumns& columns)
       position_{shape_, columns, claim.output, claim.origin_mm},
       coverage_{claim.tool_path.size()},
       cl_{claim.tool_path},
-      limit_{claim.tip_tolerance_mm * (1.0 + tolerance_rounding),
-             chord_of_angle(std::min(claim.axis_tolerance_rad, pi)) * (1.0 + tolerance_rounding)},
+      held_{limit_of(claim, claim.axis_tolerance_rad), {}},
+      held_near_pole_{limit_of(claim, claim.axis_tolerance_rad + claim.pole_axis_rad), {}},
       tip_resolution_mm_{half_digit(claim.motion.decimals_mm) * std::sqrt(3.0)},
       axis_resolution_rad_{half_digit(claim.motion.decimals_deg) * rad_per_deg * std::sqrt(2.0)} {}
 
@@ -174,8 +179,9 @@ Result<Proof> Replay::finish() {
     fail(covered.error().message);
     return std::move(problem_);
   }
-  proof_.tip_deviation_mm = proven_.tip_mm;
-  proof_.axis_deviation_rad = angle_of_chord(proven_.axis_chord);
+  const Deviation &usual = held_.proven, &near_pole = held_near_pole_.proven;
+  proof_.tip_deviation_mm = std::max(usual.tip_mm, near_pole.tip_mm);
+  proof_.axis_deviation_rad = angle_of_chord(std::max(usual.axis_chord, near_pole.axis_chord));
   return proof_;
 }
 

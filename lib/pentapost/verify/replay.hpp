@@ -74,7 +74,14 @@ class Replay {
   Coverage coverage_;
   ClState cl_;
   Excursion excursion_;
-  Deviation limit_, proven_;
+  /// What is allowed, and what was found at most.
+  struct Held {
+    Deviation limit, proven;
+  };
+  const Held& held() const { return near_pole_ ? held_near_pole_ : held_; }
+  Held held_;
+  Held held_near_pole_;         ///< feed blocks where the CL axis was changed
+  bool near_pole_ = false;      ///< the block in hand is one of them
   double tip_resolution_mm_;    ///< half the last digit, over three axes
   double axis_resolution_rad_;  ///< half the last digit, over two axes
   Proof proof_;

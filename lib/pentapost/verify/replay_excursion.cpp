@@ -54,8 +54,9 @@ bool Replay::turns_in_place(const ToolPlace& left) {
   const path::Segment standing{left.tip_mm, left.axis, left.tip_mm, left.axis};
   const Deviation found = largest_deviation(
       curve(), position_.before().station, position_.now().station,
-      {.move = standing, .tip_resolution_mm = tip_resolution_mm_}, proven_, limit_);
-  return found.tip_mm <= limit_.tip_mm && found.axis_chord <= limit_.axis_chord && prove(found);
+      {.move = standing, .tip_resolution_mm = tip_resolution_mm_}, held_.proven, held_.limit);
+  const Deviation& limit = held_.limit;
+  return found.tip_mm <= limit.tip_mm && found.axis_chord <= limit.axis_chord && prove(found);
 }
 
 bool Replay::come_back() {

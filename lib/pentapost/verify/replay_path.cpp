@@ -2,6 +2,7 @@
 #include "pentapost/kinematics/forward.hpp"
 #include "pentapost/verify/feed_rule.hpp"
 #include "pentapost/verify/hole.hpp"
+#include "pentapost/verify/pole_allowance.hpp"
 #include "pentapost/verify/printed_arc.hpp"
 #include "pentapost/verify/replay.hpp"
 
@@ -29,22 +30,25 @@ std::optional<double> Replay::gauge_length_mm() const {
 
 bool Replay::prove(const Deviation& found) {
   // Written so that NaN fails.
-  if (!(found.tip_mm <= limit_.tip_mm))
+  auto& [limit, proven] = near_pole_ ? held_near_pole_ : held_;
+  if (!(found.tip_mm <= limit.tip_mm))
     return fail("the tool tip leaves the CL path by " + number_text(found.tip_mm, 9) +
                 " mm, the tolerance is " + number_text(claim_.tip_tolerance_mm) + " mm");
-  if (!(found.axis_chord <= limit_.axis_chord))
-    return fail("the tool axis leaves the CL axis by " +
-                number_text(angle_of_chord(found.axis_chord) * deg_per_rad, 9) +
-                " deg, the tolerance is " + number_text(claim_.axis_tolerance_rad * deg_per_rad) +
-                " deg");
-  proven_ = {std::max(proven_.tip_mm, found.tip_mm),
-             std::max(proven_.axis_chord, found.axis_chord)};
+  if (!(found.axis_chord <= limit.axis_chord))
+    return fail(
+        "the tool axis leaves the CL axis by " +
+        number_text(angle_of_chord(found.axis_chord) * deg_per_rad, 9) + " deg, the tolerance is " +
+        number_text(claim_.axis_tolerance_rad * deg_per_rad) + " deg" +
+        (near_pole_
+             ? " and " + number_text(claim_.pole_axis_rad * deg_per_rad) + " deg near the pole"
+             : ""));
+  proven = {std::max(proven.tip_mm, found.tip_mm), std::max(proven.axis_chord, found.axis_chord)};
   return true;
 }
 
 bool Replay::search(const BlockCurve& curve, const MovePart& part) {
   return prove(largest_deviation(curve, position_.before().station, position_.now().station, part,
-                                 proven_, limit_));
+                                 held().proven, held().limit));
 }
 
 Vec3 Replay::move_start_mm(std::uint32_t point) const {
@@ -136,7 +140,11 @@ bool Replay::cut(const nc::ReadMotion& motion, const Covered& covered) {
     return fail("the words change their meaning within a cut");
   if (settings_are_new_ && !settings_are_right()) return false;
   if (!feed_is_right(motion, covered)) return false;
-  return motion.kind == Kind::arc ? cut_arc(motion, covered) : cut_line(motion, covered);
+  near_pole_ = has_changed_axis(claim_, covered.point);
+  const bool proven =
+      motion.kind == Kind::arc ? cut_arc(motion, covered) : cut_line(motion, covered);
+  near_pole_ = false;
+  return proven;
 }
 
 bool Replay::settings_are_right() {
@@ -179,7 +187,8 @@ bool Replay::cut_line(const nc::ReadMotion&, const Covered& covered) {
     const Deviation bound = quick_bound(
         block_curve, position_.before().station, position_.now().station, move_start_mm(point),
         cl.axis_wp[point - 1], cl.tip_wp_mm[point], cl.axis_wp[point], tip_resolution_mm_);
-    if (bound.tip_mm <= proven_.tip_mm && bound.axis_chord <= proven_.axis_chord) return true;
+    const Deviation& proven = held().proven;
+    if (bound.tip_mm <= proven.tip_mm && bound.axis_chord <= proven.axis_chord) return true;
   }
   return search(block_curve, {.move = move_to(point),
                               .from_fraction = covered.from_fraction,
@@ -213,7 +222,7 @@ bool Replay::cut_arc(const nc::ReadMotion& motion, const Covered& covered) {
 std::optional<Vec3> Replay::last_place_mm(std::uint32_t point) const {
   const auto& axes = claim_.tool_path.axis_wp;
   if (point == 0 || cl_.starts_anew()) return std::nullopt;
-  if (!((axes[point] - axes[point - 1]).norm() <= limit_.axis_chord)) return std::nullopt;
+  if (!((axes[point] - axes[point - 1]).norm() <= held_.limit.axis_chord)) return std::nullopt;
   return move_start_mm(point);
 }
 
@@ -244,7 +253,7 @@ bool Replay::drill(const nc::ReadMotion& motion, const Covered& covered) {
   if (!prove(hole_deviation(levels, axis, bottom, clearance, retract))) return false;
   std::optional<Stop> travel;
   if (motion.travel_z_mm) travel = position_.place_with(*z, *motion.travel_z_mm, gauge_mm);
-  wrong = wrong_travel(from, clearance, travel, last_place_mm(covered.point), axis, limit_);
+  wrong = wrong_travel(from, clearance, travel, last_place_mm(covered.point), axis, held_.limit);
   if (!wrong.empty()) return fail(wrong);
   position_.set(retract);
   hole_retract_mm_ = levels.retract_mm;

@@ -33,6 +33,11 @@ TEST(JobDomain, RefusesWithPlaceValueAndLimit) {
            {[](auto& job) { job.setup.theta_x_deg = 1e9; }, "/setup/theta_x_deg", "1e+09", "360"},
            {[](auto& job) { job.setup.theta_z_deg = -360.5; }, "/setup/theta_z_deg", "-360.5",
             "-360"},
+           {[](auto& job) { job.post.pole_axis_deg = 5.5; }, "/post/pole_axis_deg", "5.5", "5"},
+           {[](auto& job) { job.post.pole_axis_deg = -0.5; }, "/post/pole_axis_deg", "-0.5",
+            "at least 0"},
+           {[](auto& job) { job.post.pole_axis_deg = std::numeric_limits<double>::quiet_NaN(); },
+            "/post/pole_axis_deg", "nan", "5"},
        }) {
     SCOPED_TRACE(pointer + " " + found);
     auto job = plain_job();

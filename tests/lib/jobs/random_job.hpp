@@ -28,6 +28,9 @@ class RandomJob {
     const kinematics::Model model{job_.machine.chain};
     choose_settings();
     write_path(model);
+    // Last, so that the paths of the seeds stay what they are.
+    if (!job_.post.flank && chance(0.4))
+      job_.post.pole_axis_deg = one_of(std::array<double, 5>{0.02, 0.2, 1.0, 3.0, 5.0});
     job_.path = jobs::ClText{.text = text_, .dialect = "creo-ncl"};
   }
   jobs::PostJob job() const { return job_; }

@@ -1,0 +1,72 @@
+#include "pentapost/jobs/post_zones.hpp"
+
+#include "pentapost/analysis/cl_analysis.hpp"
+#include "pentapost/core/number_text.hpp"
+#include "pentapost/jobs/analysis_reporter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pentapost::jobs {
+namespace {
+
+std::string warning_of(const ZoneReport& zone) {
+  const std::string unit = zone.rotary ? " deg/s" : " mm/s";
+  std::string text = "warning: to CL line " + std::to_string(zone.to.line) + " " + zone.axis +
+                     " needs " + number_text(zone.peak_speed, 1) + " of " +
+                     number_text(zone.peak_speed / zone.peak_ratio, 1) + unit;
+  if (zone.kind)
+    text += *zone.kind == kinematics::SingularityKind::pole ? " near the pole"
+                                                            : " near the end of the reach";
+  return text + ", F" + number_text(std::floor(zone.lowest_feed_mm_min), 0) + " can be held";
+}
+
+}  // namespace
+
+void report_zones(const PostJob& job, const PreparedJob& prepared, const path::ToolPath& planned,
+                  const plan::Program& program, PostReport& report) {
+  const auto analysis = analysis::analyse_choices(prepared.model, planned, prepared.settings,
+                                                  program.choices, {.zones_only = true});
+  // A move too short for the digits printed may lack a feed: such a path has no time.
+  if (!analysis || !std::isfinite(analysis->predicted_time_s)) return;
+  const ReportFrame frame{.model = prepared.model,
+                          .ranges = prepared.ranges,
+                          .settings = prepared.settings,
+                          .to_cl = turn_of(job.setup).transpose(),
+                          .linear_known = job.setup.origin_mm.has_value()};
+  report.predicted_time_s = analysis->predicted_time_s;
+  report.zones = report_zones(frame, analysis->zones, true);
+  report.over_demands = report_zones(frame, analysis->over_demands, false);
+}
+
+void comment_zones(const PostReport& report, path::Motion& motion) {
+  std::vector<const ZoneReport*> zones;
+  for (const auto* each : {&report.zones, &report.over_demands})
+    for (const ZoneReport& zone : each->zones) zones.push_back(&zone);
+  std::stable_sort(zones.begin(), zones.end(), [](const ZoneReport* x, const ZoneReport* y) {
+    return x->from.s_mm < y->from.s_mm;
+  });
+  std::vector<path::Action> comments;
+  std::size_t block = 0;
+  for (const ZoneReport* zone : zones) {
+    while (block < motion.blocks.size() &&
+           !(motion.blocks[block].on_path && motion.blocks[block].point >= zone->from.point))
+      ++block;
+    if (block == motion.blocks.size()) break;
+    comments.push_back(
+        {static_cast<std::uint32_t>(block), zone->from.line, path::Comment{warning_of(*zone)}});
+  }
+  std::vector<path::Action> all;
+  all.reserve(motion.actions.size() + comments.size());
+  std::merge(
+      comments.begin(), comments.end(), std::make_move_iterator(motion.actions.begin()),
+      std::make_move_iterator(motion.actions.end()), std::back_inserter(all),
+      [](const path::Action& x, const path::Action& y) { return x.before_block < y.before_block; });
+  motion.actions = std::move(all);
+}
+
+}  // namespace pentapost::jobs
