@@ -8,6 +8,7 @@
 #include "pentapost/plan/sequences.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -78,7 +79,7 @@ class Walk {
     departure_ = axis_path_->departures.begin();
     crossing_ = axis_path_->crossings.begin();
     recorder_.interrupt();
-    met_.reset();
+    forget_meeting();
     const std::uint32_t begin = axis_path_->range.begin;
     setting_.advance_to(begin);
     if (begin > 0) s_mm_ += (tip_mm(begin) - tip_mm(begin - 1)).norm();
@@ -166,7 +167,7 @@ class Walk {
     s_mm_ += length_mm;
     recorder_.pass(move);
     recorder_.account(move);
-    met_.reset();
+    forget_meeting();
     return true;
   }
 
@@ -209,7 +210,8 @@ class Walk {
   void survey(const SurveyedMove& move, const path::Segment& segment, ClStretch::Follows follows,
               int branch, const ClStretch::Ends& ends) {
     // Stretches that follow each other share the joints' motion where they meet.
-    const bool goes_on = met_ && met_first_rad_ == ends.first_from_rad &&
+    const auto& met = met_[last_met_];
+    const bool goes_on = met && met_first_rad_ == ends.first_from_rad &&
                          met_second_rad_ == ends.second_from_rad && met_s_mm_ == move.s_from_mm &&
                          ends.fraction_from == 0.0;
     const ClStretch stretch{model_,
@@ -220,15 +222,17 @@ class Walk {
                             gauge_length_mm_,
                             settings_.origin_mm,
                             slack_rad_,
-                            goes_on ? &*met_ : nullptr};
+                            met_[1 - last_met_],
+                            goes_on ? &*met : nullptr};
     recorder_.cut(stretch, move);
-    met_.reset();
-    if (!stretch.at_end() || ends.fraction_to != 1.0) return;
-    met_.emplace(*stretch.at_end());
+    last_met_ = 1 - last_met_;
+    if (ends.fraction_to != 1.0) return forget_meeting();
     met_first_rad_ = ends.first_to_rad;
     met_second_rad_ = ends.second_to_rad;
     met_s_mm_ = s_mm_;
   }
+
+  void forget_meeting() { met_[last_met_].reset(); }
 
   /// At a point the path may go on with other rotary values than it came with.
   void depart(std::uint32_t point) {
@@ -273,7 +277,9 @@ class Walk {
   std::vector<AxisPath::Crossing>::const_iterator crossing_;
   RotaryPair rotary_;
   double s_mm_ = 0.0;
-  std::optional<kinematics::JointMotion> met_;
+  /// The joints' motion where the last stretch ended, and a place for that of the next one.
+  std::array<std::optional<kinematics::JointMotion>, 2> met_;
+  std::size_t last_met_ = 0;
   double met_first_rad_ = 0.0, met_second_rad_ = 0.0, met_s_mm_ = 0.0;
 };
 

@@ -35,18 +35,11 @@ class Grid {
   /// Fills `places`, in order; empty where the stretch has no rates anywhere.
   void fill(std::vector<Place>& places) const {
     places.clear();
-    auto last = at(stretch_.from());
-    if (!last) return;
-    places.push_back(*last);
-    const auto go_to = [&](double fraction) {
-      const auto next = at(fraction);
-      if (!next) return places.clear();
-      divide(*last, *next, 0, places);
-      last = next;
-    };
-    for (const double place : stretch_.turning_places())
-      if (!places.empty()) go_to(place);
-    if (!places.empty()) go_to(stretch_.to());
+    places.emplace_back();
+    if (!at(stretch_.from(), places.back())) return places.clear();
+    for (const double fraction : stretch_.turning_places())
+      if (!go_to(fraction, places)) return places.clear();
+    if (!go_to(stretch_.to(), places)) places.clear();
   }
 
  private:
@@ -59,50 +52,80 @@ class Grid {
   /// So far inside a stretch its rates stand for those at a singularity on its end.
   static constexpr double inside_share = 1e-6;
 
-  std::optional<Place> at(double fraction) const {
+  /// @return false where the stretch has no rates there.
+  bool at(double fraction, Place& place) const {
     const double length = stretch_.to() - stretch_.from();
     const double middle = 0.5 * (stretch_.from() + stretch_.to());
     for (const double there : {fraction, fraction + inside_share * (middle - fraction),
                                fraction - inside_share * length}) {
       const auto demand = stretch_.at(there);
       if (!demand) continue;
-      Place place{fraction, *demand, {}, {}};
+      place.fraction = fraction;
+      place.demand = *demand;
       if (there != fraction) {
         place.demand.axis = stretch_.axis(fraction);
         place.demand.tip_mm = stretch_.tip_mm(fraction);
       }
       place.load.ratio = ratios_of(demand->rate, time_s_, allowance_);
-      if (place.load.largest() > allowance_.share)
-        place.load.asked_ratio = ratios_of(stretch_.asked(there, *demand), time_s_, allowance_);
+      place.load.asked_ratio = place.load.largest() > allowance_.share
+                                   ? ratios_of(stretch_.asked(there, *demand), time_s_, allowance_)
+                                   : PerAxis{};
       if (with_accelerations_) place.acceleration = stretch_.acceleration(there, *demand);
-      return place;
+      return true;
     }
-    return std::nullopt;
+    return false;
   }
 
-  void divide(const Place& from, const Place& to, int level, std::vector<Place>& places) const {
-    const double change =
-        stretch_.relative_change(from.demand, to.demand, to.fraction - from.fraction);
+  /// Goes on from the last place. Most moves need none in between, and cost no copy.
+  bool go_to(double fraction, std::vector<Place>& places) const {
+    places.emplace_back();
+    if (!at(fraction, places.back())) return false;
+    const Place &from = places[places.size() - 2], &to = places.back();
+    if (!is_too_far(from, to) && !has_crossing(from, to)) return true;
+    const Place last = to;
+    places.pop_back();
+    divide(last, 0, places);
+    return true;
+  }
+
+  bool is_too_far(const Place& from, const Place& to) const {
+    return stretch_.relative_change(from.demand, to.demand, to.fraction - from.fraction) >
+           largest_change;
+  }
+
+  /// Goes on from the last place.
+  void divide(const Place& to, int level, std::vector<Place>& places) const {
     const int levels = places.size() < many_places ? most_levels : few_levels;
-    if (change > largest_change && level < levels) {
-      if (const auto middle = at(0.5 * (from.fraction + to.fraction))) {
-        divide(from, *middle, level + 1, places);
-        divide(*middle, to, level + 1, places);
+    if (level < levels && is_too_far(places.back(), to)) {
+      Place middle;
+      if (at(0.5 * (places.back().fraction + to.fraction), middle)) {
+        divide(middle, level + 1, places);
+        divide(to, level + 1, places);
         return;
       }
     }
-    add_crossings(from, to, places);
+    const Place from = places.back();
+    if (has_crossing(from, to)) add_crossings(from, to, places);
     places.push_back(to);
   }
 
-  /// The places where the load passes the allowance, or the share of 1 that costs time.
+  // What a load is on one side of: the allowance by a singularity or plainly, or the share of 1
+  // that costs time.
+  bool is_singular(const Load& load) const { return load.is_singular(allowance_.share); }
+  bool is_plainly_over(const Load& load) const { return load.is_plainly_over(allowance_.share); }
+  static bool costs_time(const Load& load) { return load.largest() > 1.0; }
+
+  bool has_crossing(const Place& from, const Place& to) const {
+    return is_singular(from.load) != is_singular(to.load) ||
+           is_plainly_over(from.load) != is_plainly_over(to.load) ||
+           costs_time(from.load) != costs_time(to.load);
+  }
+
   void add_crossings(const Place& from, const Place& to, std::vector<Place>& places) const {
     const auto begin = static_cast<std::ptrdiff_t>(places.size());
-    add_crossing(from, to, places,
-                 [&](const Load& load) { return load.is_singular(allowance_.share); });
-    add_crossing(from, to, places,
-                 [&](const Load& load) { return load.is_plainly_over(allowance_.share); });
-    add_crossing(from, to, places, [&](const Load& load) { return load.largest() > 1.0; });
+    add_crossing(from, to, places, [&](const Load& load) { return is_singular(load); });
+    add_crossing(from, to, places, [&](const Load& load) { return is_plainly_over(load); });
+    add_crossing(from, to, places, [&](const Load& load) { return costs_time(load); });
     std::sort(places.begin() + begin, places.end(),
               [](const Place& x, const Place& y) { return x.fraction < y.fraction; });
   }
@@ -115,9 +138,9 @@ class Grid {
     if (at_from == side(to.load)) return;
     Place near = from, far = to;
     for (int i = 0; i < crossing_levels; ++i) {
-      const auto middle = at(0.5 * (near.fraction + far.fraction));
-      if (!middle) break;
-      (side(middle->load) == at_from ? near : far) = *middle;
+      Place middle;
+      if (!at(0.5 * (near.fraction + far.fraction), middle)) break;
+      (side(middle.load) == at_from ? near : far) = middle;
     }
     places.push_back(near);
     places.push_back(far);

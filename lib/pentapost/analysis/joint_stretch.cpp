@@ -46,13 +46,17 @@ const JointMotion* JointStretch::motion(double fraction) const {
   if (inside_ && inside_fraction_ == fraction) return &*inside_;
   std::optional<JointMotion>& place = is_end ? at_end_ : inside_;
   const Joints there = joints_by_words(fraction);
-  if (tip_ == nullptr)
+  if (tip_ == nullptr) {
     place.emplace(model_, there, frame_.gauge_length_mm);
-  else
-    place = JointMotion::at_tip(model_, tip_->tip_mm(fraction) + frame_.origin_mm, there.first_rad,
-                                there.second_rad, frame_.gauge_length_mm);
+  } else {
+    place.emplace(model_, there.first_rad, there.second_rad, frame_.gauge_length_mm);
+    if (!place->reach(tip_->tip_mm(fraction) + frame_.origin_mm)) {
+      place.reset();
+      return nullptr;
+    }
+  }
   if (!is_end) inside_fraction_ = fraction;
-  return place ? &*place : nullptr;
+  return &*place;
 }
 
 Vec3 JointStretch::tip_rate_mm(const JointMotion& motion, double fraction) const {

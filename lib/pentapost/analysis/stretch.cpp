@@ -20,7 +20,8 @@ double nearest_turn(double value_rad, double reference_rad) {
 
 ClStretch::ClStretch(const kinematics::Model& model, const path::Segment& segment, Follows follows,
                      int branch, const Ends& ends, double gauge_length_mm, const Vec3& origin_mm,
-                     double slack_rad, const JointMotion* at_start)
+                     double slack_rad, std::optional<JointMotion>& at_end,
+                     const JointMotion* at_start)
     : model_{model},
       segment_{segment},
       follows_{follows},
@@ -29,7 +30,25 @@ ClStretch::ClStretch(const kinematics::Model& model, const path::Segment& segmen
       gauge_length_mm_{gauge_length_mm},
       origin_mm_{origin_mm},
       slack_rad_{slack_rad},
-      at_start_{at_start} {}
+      at_end_{at_end},
+      at_start_{at_start} {
+  at_end_.reset();
+  if (rests_on_singularity()) follows_ = Follows::rest;
+}
+
+// The reach may end on a great circle, and any tool axis may stand still on its end: there is no
+// inverse to follow, and the second joint rests.
+bool ClStretch::rests_on_singularity() const {
+  constexpr double smallest_opening_sine = 1e-12;
+  const auto is_singular = [&](double second_rad) {
+    return std::abs(std::sin(second_rad - model_.beta_zero_rad)) < smallest_opening_sine;
+  };
+  if (follows_ == Follows::rest || model_.rotary_count != 2 ||
+      ends_.second_from_rad != ends_.second_to_rad || !is_singular(ends_.second_from_rad))
+    return false;
+  const auto middle = rotary(0.5 * (ends_.fraction_from + ends_.fraction_to));
+  return !middle || is_singular(middle->second_rad);
+}
 
 std::optional<ClStretch::Rotary> ClStretch::rotary(double fraction) const {
   if (fraction == ends_.fraction_from) return Rotary{ends_.first_from_rad, ends_.second_from_rad};
@@ -53,12 +72,17 @@ const JointMotion* ClStretch::motion(double fraction) const {
   if (at_start_ != nullptr && fraction == ends_.fraction_from) return at_start_;
   const bool is_end = fraction == ends_.fraction_to;
   if (is_end && at_end_) return &*at_end_;
+  if (inside_ && inside_fraction_ == fraction) return &*inside_;
   const auto at = rotary(fraction);
   if (!at) return nullptr;
   auto& place = is_end ? at_end_ : inside_;
-  place = JointMotion::at_tip(model_, segment_.tip_mm(fraction) + origin_mm_, at->first_rad,
-                              at->second_rad, gauge_length_mm_);
-  return place ? &*place : nullptr;
+  place.emplace(model_, at->first_rad, at->second_rad, gauge_length_mm_);
+  if (!place->reach(segment_.tip_mm(fraction) + origin_mm_)) {
+    place.reset();
+    return nullptr;
+  }
+  if (!is_end) inside_fraction_ = fraction;
+  return &*place;
 }
 
 std::optional<Demand> ClStretch::at(double fraction) const {

@@ -27,19 +27,18 @@ class ClStretch {
   /// @param segment  in the table's orientation; from or to the pole itself where it is passed.
   /// @param origin_mm  CL origin in the table frame.
   /// @param slack_rad  see kinematics::inverse_rotary.
+  /// @param at_end  takes the joints' motion at the end, for the stretch that goes on from there.
   /// @param at_start  the joints' motion at the start, where the stretch before had its end;
   ///        nullptr: not known.
   ClStretch(const kinematics::Model& model, const path::Segment& segment, Follows follows,
             int branch, const Ends& ends, double gauge_length_mm, const Vec3& origin_mm,
-            double slack_rad, const kinematics::JointMotion* at_start = nullptr);
+            double slack_rad, std::optional<kinematics::JointMotion>& at_end,
+            const kinematics::JointMotion* at_start = nullptr);
 
   double from() const { return ends_.fraction_from; }
   double to() const { return ends_.fraction_to; }
   /// @return nullopt where the joints have no rates: at a singularity itself, out of reach.
   std::optional<Demand> at(double fraction) const;
-  /// The joints' motion at the end, for the stretch that goes on from there; nullopt: at() was not
-  /// asked for it.
-  const std::optional<kinematics::JointMotion>& at_end() const { return at_end_; }
   /// Rates that the tool's motion asks for by itself: the rotary rates of `demand`, which is of the
   /// same fraction, divided by their amplification.
   PerAxis asked(double fraction, const Demand& demand) const;
@@ -60,6 +59,7 @@ class ClStretch {
   };
   std::optional<Rotary> rotary(double fraction) const;
   const kinematics::JointMotion* motion(double fraction) const;
+  bool rests_on_singularity() const;
   double rest_rate_rad() const;  ///< of the first joint
 
   const kinematics::Model& model_;
@@ -70,8 +70,10 @@ class ClStretch {
   double gauge_length_mm_;
   Vec3 origin_mm_;
   double slack_rad_;
+  std::optional<kinematics::JointMotion>& at_end_;
   const kinematics::JointMotion* at_start_;
-  mutable std::optional<kinematics::JointMotion> at_end_, inside_;  ///< as computed last
+  mutable std::optional<kinematics::JointMotion> inside_;  ///< as computed last, at
+  mutable double inside_fraction_ = -1.0;
 };
 
 }  // namespace pentapost::analysis

@@ -33,15 +33,16 @@ JointMotion::JointMotion(const Model& model, double first_rad, double second_rad
       joints_{.first_rad = first_rad, .second_rad = second_rad},
       linear_{model.linear_columns[0]} {
   const Turns turn{model, first_rad, second_rad};
-  if (model.has_linear[1]) {
-    between_ =
-        turned(model.linear_columns[1], [&](const Vec3& vector) { return turn.first(vector); });
-    linear_ += between_;
-  }
-  if (model.has_linear[2]) {
-    beyond_ = turned(model.linear_columns[2],
-                     [&](const Vec3& vector) { return turn.first(turn.second(vector)); });
-    linear_ += beyond_;
+  const auto turn_first = [&](const Vec3& vector) { return turn.first(vector); };
+  const auto turn_both = [&](const Vec3& vector) { return turn.first(turn.second(vector)); };
+  if (model.fixed.linear_place == 1) {
+    linear_ = turned(model.linear_columns[1], turn_first);
+  } else if (model.fixed.linear_place == 2) {
+    linear_ = turned(model.linear_columns[2], turn_both);
+  } else if (model.fixed.linear_place < 0) {
+    between_ = turned(model.linear_columns[1], turn_first);
+    beyond_ = turned(model.linear_columns[2], turn_both);
+    linear_ += between_ + beyond_;
   }
   const Vec3 x = linear_.col(0), y = linear_.col(1), z = linear_.col(2);
   solution_.row(0) = y.cross(z);
@@ -61,23 +62,19 @@ JointMotion::JointMotion(const Model& model, const Joints& joints, double gauge_
   place_linear_mm(joints.linear_mm);
 }
 
-std::optional<JointMotion> JointMotion::at_tip(const Model& model, const Vec3& tip_mm,
-                                               double first_rad, double second_rad,
-                                               double gauge_length_mm) {
-  JointMotion motion{model, first_rad, second_rad, gauge_length_mm};
-  const auto linear_mm = motion.solve_linear_mm(tip_mm - model.a_point_mm - motion.b_from_a_mm_ -
-                                                motion.tool_from_b_mm_);
-  if (!linear_mm) return std::nullopt;
-  motion.place_linear_mm(*linear_mm);
-  return motion;
+bool JointMotion::reach(const Vec3& tip_mm) {
+  const auto linear_mm =
+      solve_linear_mm(tip_mm - model_->a_point_mm - b_from_a_mm_ - tool_from_b_mm_);
+  if (linear_mm) place_linear_mm(*linear_mm);
+  return linear_mm.has_value();
 }
 
 void JointMotion::place_linear_mm(const Vec3& linear_mm) {
   joints_.linear_mm = linear_mm;
   second_arm_mm_ = tool_from_b_mm_;
-  if (model_->has_linear[2]) second_arm_mm_ += beyond_ * linear_mm;
+  if (model_->has_linear[2]) second_arm_mm_ += beyond() * linear_mm;
   first_arm_mm_ = b_from_a_mm_ + second_arm_mm_;
-  if (model_->has_linear[1]) first_arm_mm_ += between_ * linear_mm;
+  if (model_->has_linear[1]) first_arm_mm_ += between() * linear_mm;
 }
 
 std::optional<Vec3> JointMotion::solve_linear_mm(const Vec3& target_mm) const {
@@ -158,8 +155,8 @@ std::optional<Vec3> JointMotion::linear_accelerations_mm(const Vec3& tip_acceler
   const double alpha = rates.first_rad, beta = rates.second_rad;
   const Vec3 b_rate = alpha * a.cross(b_);
   Vec3 between_way = Vec3::Zero(), beyond_way = Vec3::Zero();
-  if (model_->has_linear[1]) between_way = between_ * rates.linear_mm;
-  if (model_->has_linear[2]) beyond_way = beyond_ * rates.linear_mm;
+  if (model_->has_linear[1]) between_way = between() * rates.linear_mm;
+  if (model_->has_linear[2]) beyond_way = beyond() * rates.linear_mm;
   const Vec3 second_arm_rate =
       alpha * a.cross(second_arm_mm_) + beta * b_.cross(second_arm_mm_) + beyond_way;
   const Vec3 first_arm_rate =

@@ -31,10 +31,11 @@ struct ToolRates {
 class JointMotion {
  public:
   JointMotion(const Model& model, const Joints& joints, double gauge_length_mm);
-  /// With the linear joints that bring the tip there.
-  /// @return nullopt where the linear directions do not span space.
-  static std::optional<JointMotion> at_tip(const Model& model, const Vec3& tip_mm, double first_rad,
-                                           double second_rad, double gauge_length_mm);
+  /// The linear joints are still to be placed.
+  JointMotion(const Model& model, double first_rad, double second_rad, double gauge_length_mm);
+  /// Places the linear joints so that they bring the tip there.
+  /// @return false where the linear directions do not span space.
+  bool reach(const Vec3& tip_mm);
 
   Jacobian jacobian() const;
 
@@ -66,16 +67,19 @@ class JointMotion {
   double opening_sine() const { return opening_sine_; }
 
  private:
-  /// All but what the values of the linear joints decide.
-  JointMotion(const Model& model, double first_rad, double second_rad, double gauge_length_mm);
   void place_linear_mm(const Vec3& linear_mm);
   std::optional<Vec3> solve_linear_mm(const Vec3& target_mm) const;
   std::optional<Eigen::Vector2d> rotary_rates(const Vec3& axis_rate) const;
 
   const Model* model_;
   Joints joints_;
+  /// Of linear_ that which stands between the rotary joints, and beyond both; used only where the
+  /// model has any.
+  const Mat3& between() const { return model_->fixed.linear_place == 1 ? linear_ : between_; }
+  const Mat3& beyond() const { return model_->fixed.linear_place == 2 ? linear_ : beyond_; }
+
   Mat3 linear_;            ///< tip per linear joint
-  Mat3 between_, beyond_;  ///< of it, by the joint's place in the chain; set where there is one
+  Mat3 between_, beyond_;  ///< set where the linear joints stand in several places
   Mat3 solution_;          ///< inverse of linear_ but for the volume
   double volume_;          ///< determinant of linear_
   Vec3 b_, axis_;

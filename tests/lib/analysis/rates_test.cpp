@@ -52,8 +52,10 @@ class RatesOnMachine : public ::testing::TestWithParam<sample::BundledMachine> {
     const Vec3 tip_mm = 100.0 * random_axis(), way_mm = 20.0 * half_rad * random_axis();
     const path::Segment move{tip_mm - way_mm, turned(-half_rad), tip_mm + way_mm, turned(half_rad)};
     for (const int branch : {0, 1}) {
-      const ClStretch stretch{
-          model_, move, ClStretch::Follows::branch, branch, {}, gauge_length_mm, Vec3::Zero(), 0.0};
+      std::optional<kinematics::JointMotion> end;
+      const ClStretch stretch{model_,       move, ClStretch::Follows::branch,
+                              branch,       {},   gauge_length_mm,
+                              Vec3::Zero(), 0.0,  end};
       const auto found = stretch.at(0.5);
       ASSERT_TRUE(found);
       const Columns at = joints_at(move, branch, 0.5, nullptr);
