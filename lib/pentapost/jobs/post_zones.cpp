@@ -14,15 +14,16 @@
 namespace pentapost::jobs {
 namespace {
 
+std::string speed_text(double speed) { return number_text(speed, speed < 100.0 ? 1 : 0); }
+
+/// Short enough for one line of every control.
 std::string warning_of(const ZoneReport& zone) {
-  const std::string unit = zone.rotary ? " deg/s" : " mm/s";
-  std::string text = "warning: to CL line " + std::to_string(zone.to.line) + " " + zone.axis +
-                     " needs " + number_text(zone.peak_speed, 1) + " of " +
-                     number_text(zone.peak_speed / zone.peak_ratio, 1) + unit;
-  if (zone.kind)
-    text += *zone.kind == kinematics::SingularityKind::pole ? " near the pole"
-                                                            : " near the end of the reach";
-  return text + ", F" + number_text(std::floor(zone.lowest_feed_mm_min), 0) + " can be held";
+  using enum kinematics::SingularityKind;
+  const std::string where = !zone.kind ? "" : *zone.kind == pole ? ", pole" : ", reach";
+  return "warning" + where + ": " + zone.axis + " " + speed_text(zone.peak_speed) + " of " +
+         speed_text(zone.peak_speed / zone.peak_ratio) + (zone.rotary ? " deg/s" : " mm/s") +
+         " to CL line " + std::to_string(zone.to.line) + "; hold F" +
+         number_text(std::floor(zone.lowest_feed_mm_min), 0);
 }
 
 }  // namespace
