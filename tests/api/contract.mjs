@@ -6,6 +6,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { Contract } from "./contract_document.mjs";
+import { blockOf, holdShown, readmeCommands, realFileRows } from "./readme_commands.mjs";
 import { open, request, start } from "./running_server.mjs";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
@@ -128,6 +129,16 @@ async function checkAnalyse(port) {
     ["another content type", text(query, cl, { "content-type": "application/xml" }), 415,
       "unsupported_media_type", undefined],
     ["cl and nc", job({ ...query, cl, nc: "%" }), 400, "conflicting_keys", "/cl"],
+    ["path and nc", job({ ...query, path: { feed_mm_min: 1, points: [[0, 0, 0, 0, 0, 1]] }, nc: "%" }), 400,
+      "conflicting_keys", "/path"],
+    ["max_samples without samples", job({ ...query, cl, max_samples: 200 }), 400, "conflicting_keys", "/max_samples"],
+    ["too few samples", job({ ...query, cl, samples: true, max_samples: 99 }), 400, "out_of_domain", "/max_samples"],
+    ["too many samples", job({ ...query, cl, samples: true, max_samples: 100_001 }), 400, "out_of_domain",
+      "/max_samples"],
+    ["a change of the tool axis above 5 degrees", job({ ...query, cl, post: { pole_axis_deg: 5.1 } }), 400,
+      "out_of_domain", "/post/pole_axis_deg"],
+    ["a changed tool axis in a flank cut", job({ ...query, cl, post: { flank: true, pole_axis_deg: 1 } }), 400,
+      "conflicting_keys", "/post/pole_axis_deg"],
     ["a turned setup with nc", job({ ...query, nc: "%", setup: { theta_x_deg: 5 } }), 400,
       "conflicting_keys", "/setup/theta_x_deg"],
     ["a dialect of nc without nc", job({ ...query, cl, nc_dialect: "fanuc-30i" }), 400,
@@ -152,6 +163,12 @@ async function checkAnalyse(port) {
     assert.equal(json.nc.dialect, "heidenhain-iso");
     assert.deepEqual([json.zones[0].from.tip_mm[0], json.zones[0].to.tip_mm[0]], [22, 28]);
     assert.equal(nc.split("\n")[json.zones[0].to.nc_line - 1].split(" ")[1], "X+28");
+  });
+  await check("POST /analyse of rapids alone: no samples", async () => {
+    const wanted = job({ ...query, samples: true, cl: "UNITS/MM\nRAPID\nGOTO/0,0,0\nRAPID\nGOTO/9,0,0\n" });
+    const { json } = await held(port, { ...wanted, path: "/analyse" }, 200);
+    assert.equal(json.samples, undefined);
+    assert.equal(json.summary.length_mm, 0);
   });
   await check("POST /post 400: nc", async () => {
     const { json } = await held(port, job({ machine: "hermle-c600u", nc }), 400);
@@ -248,9 +265,15 @@ async function checkJobSchema(port) {
     { path: { points: path.points } }, { path: { ...path, points: [[0, 0, 0, 0, 0]] } },
     { path: { ...path, points: [] } }, { path: { ...path, more: 1 } }, { machine: 5 }, { machine: null },
   ];
-  const shares = [0, -1, 1e-3, 2.5, "1"].map((zone_share) => ({ zone_share }));
+  const ofAnalysis = [
+    ...[0, -1, 1e-3, 2.5, "1"].map((zone_share) => ({ zone_share })),
+    ...[99, 100, 100_000, 100_001, 150.5, "200"].map((max_samples) => ({ samples: true, max_samples })),
+    { samples: true }, { samples: false }, { samples: 1 }, { samples: false, max_samples: 200 }, { max_samples: 200 },
+    { nc: "%" }, { nc_dialect: "fanuc-30i" }, { post: { zone_comments: true } }, { post: { zone_comments: 1 } },
+    { post: { pole_axis_deg: 5 } }, { post: { pole_axis_deg: 5.1 } }, { post: { flank: true, pole_axis_deg: 1 } },
+  ];
   const all = [...variants.map((variant) => ["/post", variant]),
-    ...["/post", "/analyse"].flatMap((place) => shares.map((variant) => [place, variant]))];
+    ...["/post", "/analyse"].flatMap((place) => ofAnalysis.map((variant) => [place, variant]))];
   for (const [place, variant] of all) {
     const body = { ...base, ...variant };
     await check(`${place}: the schema and the server agree on ${JSON.stringify(variant).slice(0, 60)}`, async () => {
@@ -277,6 +300,13 @@ function rounded(real, shown) {
   return Object.fromEntries(Object.entries(real).map(([key, value]) => [key, rounded(value, shown[key])]));
 }
 
+/// Numbers of an array share a line. No string has a line end inside.
+function exampleText(example) {
+  const number = "(?:[-+.\\dEe]+|null|true|false)";
+  const numbers = new RegExp(`\\[\\s*\\n\\s*(${number}(?:,\\n\\s*${number})*)\\n\\s*\\]`, "g");
+  return JSON.stringify(example, null, 2).replace(numbers, (_, inner) => `[${inner.replace(/\s+/g, " ")}]`) + "\n";
+}
+
 async function checkExamples(port) {
   const folder = path.join(root, "api/examples");
   for (const name of fs.readdirSync(folder).filter((file) => file.endsWith(".json")).sort()) {
@@ -292,37 +322,56 @@ async function checkExamples(port) {
       const answer = await held(port, wanted, example.answer.status);
       const seen = { status: answer.status, content_type: answer.headers["content-type"],
         content: comparable(answer) };
-      if (update) fs.writeFileSync(file, JSON.stringify({ ...example, answer: seen }, null, 2) + "\n");
+      if (update) fs.writeFileSync(file, exampleText({ ...example, answer: seen }));
       else assert.deepEqual(rounded(seen, example.answer), example.answer);
     });
   }
 }
 
-/// The README's first example: its request, and what it prints of the answer.
+/// The README's commands: what it prints of their answers. The first one prints a program too.
 async function checkReadme(port) {
-  const readme = fs.readFileSync(path.join(root, "README.md"), "utf8");
-  const [, file, query] = readme.match(/--data-binary @(\S+) \\\n\s+'[^'?]+\/post\?([^']+)'/);
-  const block = (language) => readme.match(new RegExp(`\n\`\`\`${language}\n([^]*?)\n\`\`\`\n`))[1];
-  const wanted = text(Object.fromEntries(new URLSearchParams(query)), fs.readFileSync(path.join(root, file)),
-    { accept: "application/json" });
+  const [first, ...others] = readmeCommands(root);
+  const asJson = { ...first.wanted, headers: { ...first.wanted.headers, accept: "application/json" } };
   await check("the NC program in the README", async () => {
-    const { nc } = (await held(port, wanted, 200)).json;
+    const { nc } = (await held(port, asJson, 200)).json;
+    assert.equal((await held(port, first.wanted, 200)).text, nc);
     let rest = `\n${nc}`;
-    for (const part of block("nc").split("\n…\n")) {
+    for (const part of blockOf(first.text, "nc").split("\n…\n")) {
       const place = rest.indexOf(`\n${part}\n`);
       assert.ok(place >= 0, `not in the program, or not in this order:\n${part}`);
       rest = rest.slice(place + part.length);
     }
   });
   await check("the report in the README", async () => {
-    const { report } = (await held(port, wanted, 200)).json;
-    const same = (shown, real, key) => {
-      if (typeof shown === "number") assert.ok(Math.abs(shown - real) < 1e-4, `${key}: ${real}`);
-      else if (shown !== null && typeof shown === "object")
-        for (const name of Object.keys(shown)) same(shown[name], real[name], `${key}/${name}`);
-      else assert.equal(shown, real, key);
-    };
-    same(JSON.parse(block("json")), report, "");
+    const { report } = (await held(port, asJson, 200)).json;
+    holdShown(JSON.parse(blockOf(first.text, "json")), report, "");
+  });
+  for (const { wanted, text: after } of others) {
+    await check(`the answer of ${wanted.path} in the README`, async () => {
+      const { json } = await held(port, wanted, 200);
+      holdShown(JSON.parse(blockOf(after, "json")), json, "");
+    });
+  }
+}
+
+/// The README's table of a real file, where that file is.
+async function checkRealFile(port) {
+  const file = path.join(root, "../shared/data/cl/nx-five-axis-inch.cls");
+  if (!fs.existsSync(file)) return console.log("skipped the README's real file: it is not here");
+  const cl = fs.readFileSync(file, "utf8");
+  await check("the table of a real file in the README", async () => {
+    const rows = realFileRows(root);
+    assert.equal(rows.length, 4);
+    for (const row of rows) {
+      const wanted = job({ machine: row.machine, cl, setup: { theta_x_deg: row.theta } }, { path: "/analyse" });
+      const { summary, axes, zones } = (await held(port, wanted, 200)).json;
+      const near = (shown, real, tolerance) => assert.ok(Math.abs(shown - real) <= tolerance, `${shown}: ${real}`);
+      near(row.closest, summary.closest_approach_deg, 0.005);
+      near(row.peak, axes.C.peak_deg_s, 0.05);
+      near(row.limit, axes.C.limit_deg_s, 1e-9);
+      near(row.lost, summary.predicted_time_s - summary.programmed_time_s, 0.005);
+      assert.equal(zones.length, row.zones);
+    }
   });
 }
 
@@ -335,6 +384,7 @@ try {
   await checkJobSchema(server.port);
   await checkExamples(server.port);
   await checkReadme(server.port);
+  await checkRealFile(server.port);
 } finally {
   const code = await server.stop();
   await check("SIGTERM ends the server with 0", () => assert.equal(code, 0));

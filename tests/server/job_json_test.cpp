@@ -22,25 +22,25 @@ Result<jobs::PostJob> read_with(const std::string& members) {
   return read(R"({"machine": "demo", "cl": "GOTO/1,2,3", )" + members + "}");
 }
 
-Result<jobs::AnalyseJob> read_analysis_of(JobParts parts) {
+Result<jobs::AnalyseJob> read_analysis(JobParts parts) {
   static const auto machines = sample::library();
   const auto dialects = dialect_names();
   return read_analyse_job(std::move(parts), {.machines = machines, .dialects = dialects});
 }
 
 TEST(AnalyseJobJson, ReadsAnNcProgram) {
-  const auto job = read_analysis_of(
+  const auto job = read_analysis(
       {.json = R"({"machine": "demo", "nc": "%\nM30\n", "nc_dialect": "fanuc-30i", "cl": null})"});
   ASSERT_TRUE(job) << job.error().message;
   EXPECT_EQ(job->nc.value().text, "%\nM30\n");
   EXPECT_EQ(job->nc->dialect, "fanuc-30i");
-  const auto silent = read_analysis_of({.json = R"({"machine": "demo", "nc": ""})"});
+  const auto silent = read_analysis({.json = R"({"machine": "demo", "nc": ""})"});
   ASSERT_TRUE(silent) << silent.error().message;
   EXPECT_EQ(silent->nc.value().dialect, std::nullopt);
 }
 
 TEST(AnalyseJobJson, TakesAnNcProgramApart) {
-  const auto job = read_analysis_of(
+  const auto job = read_analysis(
       {.json = R"({"machine": "demo"})", .nc = "%", .words = {{"nc_dialect", "heidenhain-iso"}}});
   ASSERT_TRUE(job) << job.error().message;
   EXPECT_EQ(job->nc.value().text, "%");
@@ -49,7 +49,7 @@ TEST(AnalyseJobJson, TakesAnNcProgramApart) {
 
 TEST(AnalyseJobJson, HasOnePath) {
   const auto refused = [](const std::string& members, const char* pointer) {
-    const auto job = read_analysis_of({.json = R"({"machine": "demo", )" + members + "}"});
+    const auto job = read_analysis({.json = R"({"machine": "demo", )" + members + "}"});
     ASSERT_FALSE(job) << members;
     EXPECT_EQ(job.error().pointer, pointer) << members;
   };
@@ -60,7 +60,7 @@ TEST(AnalyseJobJson, HasOnePath) {
   refused(R"("nc": "%", "nc_dialect": "sinumerik")", "/nc_dialect");
   refused(R"("nc": 1)", "/nc");
   refused(R"("nc": null)", "/cl");
-  EXPECT_EQ(read_analysis_of({.json = R"({"machine": "demo", "nc": "%"})", .cl = "GOTO/1,2,3"})
+  EXPECT_EQ(read_analysis({.json = R"({"machine": "demo", "nc": "%"})", .cl = "GOTO/1,2,3"})
                 .error()
                 .pointer,
             "/cl");
@@ -122,12 +122,6 @@ TEST(JobJson, ReadsEveryKey) {
   EXPECT_EQ(job->limits.at("X").max_jerk, 3000.0);
 }
 
-Result<jobs::AnalyseJob> read_analysis(JobParts parts) {
-  static const auto machines = sample::library();
-  const auto dialects = dialect_names();
-  return read_analyse_job(std::move(parts), {.machines = machines, .dialects = dialects});
-}
-
 TEST(AnalyseJobJson, ReadsTheJobAndItsShare) {
   const auto job = read_analysis(
       {.json =
@@ -160,6 +154,70 @@ TEST(AnalyseJobJson, RefusesAShareThatIsNotAboveZero) {
     EXPECT_EQ(job.error().code, Code::out_of_domain) << share;
     EXPECT_EQ(job.error().pointer, "/zone_share");
   }
+}
+
+/// An analysis of CL data with further members.
+Result<jobs::AnalyseJob> read_analysis_with(const std::string& members) {
+  return read_analysis({.json = R"({"machine": "demo", "cl": "x", )" + members + "}"});
+}
+
+TEST(AnalyseJobJson, HasNoSamplesUnlessAskedFor) {
+  EXPECT_EQ(read_analysis_with(R"("zone_share": 1)").value().samples, std::nullopt);
+  EXPECT_EQ(read_analysis_with(R"("samples": false)").value().samples, std::nullopt);
+  EXPECT_EQ(read_analysis_with(R"("samples": null, "max_samples": null)").value().samples,
+            std::nullopt);
+}
+
+TEST(AnalyseJobJson, ReadsHowManySamplesAreWanted) {
+  EXPECT_EQ(read_analysis_with(R"("samples": true)").value().samples, 2000U);
+  EXPECT_EQ(read_analysis_with(R"("samples": true, "max_samples": 100)").value().samples, 100U);
+  EXPECT_EQ(read_analysis_with(R"("samples": true, "max_samples": 100000)").value().samples,
+            100'000U);
+}
+
+TEST(AnalyseJobJson, RefusesANumberOfSamplesOutsideItsDomain) {
+  for (const std::string number : {"99", "100001", "-1"}) {
+    const auto job = read_analysis_with(R"("samples": true, "max_samples": )" + number);
+    ASSERT_FALSE(job) << number;
+    EXPECT_EQ(job.error().code, Code::out_of_domain) << number;
+    EXPECT_EQ(job.error().pointer, "/max_samples") << number;
+  }
+}
+
+TEST(AnalyseJobJson, RefusesSamplesOfAWrongType) {
+  for (const std::string members :
+       {R"("samples": 1)", R"("samples": "true")", R"("samples": true, "max_samples": "200")"}) {
+    const auto job = read_analysis_with(members);
+    ASSERT_FALSE(job) << members;
+    EXPECT_EQ(job.error().code, Code::wrong_type) << members;
+  }
+}
+
+TEST(AnalyseJobJson, HasANumberOfSamplesOnlyWithSamples) {
+  for (const std::string members : {"", R"("samples": false, )"}) {
+    const auto job = read_analysis_with(members + R"("max_samples": 200)");
+    ASSERT_FALSE(job) << members;
+    EXPECT_EQ(job.error().code, Code::conflicting_keys) << members;
+    EXPECT_EQ(job.error().pointer, "/max_samples") << members;
+  }
+}
+
+TEST(JobJson, HasNoSamples) {
+  for (const std::string key : {"samples", "max_samples"}) {
+    const auto job = read_with('"' + key + R"(": 200)");
+    ASSERT_FALSE(job) << key;
+    EXPECT_EQ(job.error().code, Code::unknown_key) << key;
+    EXPECT_EQ(job.error().pointer, "/" + key);
+  }
+}
+
+TEST(JobJson, ReadsWhetherTheProgramWarnsOfZones) {
+  EXPECT_TRUE(read_with(R"("post": {"zone_comments": true})").value().post.zone_comments);
+  EXPECT_FALSE(read_with(R"("post": {})").value().post.zone_comments);
+  const auto refused = read_with(R"("post": {"zone_comments": 1})");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, Code::wrong_type);
+  EXPECT_EQ(refused.error().pointer, "/post/zone_comments");
 }
 
 TEST(JobJson, HasNoZoneShare) {

@@ -5,6 +5,7 @@
 #include "pentapost/analysis/stretch.hpp"
 #include "pentapost/kinematics/inverse.hpp"
 #include "pentapost/plan/choice.hpp"
+#include "pentapost/plan/move_curve.hpp"
 #include "pentapost/plan/sequences.hpp"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ namespace pentapost::analysis {
 namespace {
 
 using plan::AxisPath;
+using plan::MovePart;
 using plan::RotaryPair;
 
 /// What the CL data have set for the move to a point.
@@ -59,9 +61,11 @@ class Setting {
 /// One sequence after the other.
 class Walk {
  public:
-  Walk(const kinematics::Model& model, const path::ToolPath& tool_path,
-       const plan::Settings& settings, const AnalysisOptions& options)
+  Walk(const kinematics::Model& model, const plan::JointRanges& ranges,
+       const path::ToolPath& tool_path, const plan::Settings& settings,
+       const AnalysisOptions& options)
       : model_{model},
+        ranges_{ranges},
         tool_path_{tool_path},
         settings_{settings},
         zones_only_{options.zones_only},
@@ -118,7 +122,8 @@ class Walk {
     if (tool_path_.move[point] != path::Move::feed) {
       s_mm_ += (tip_mm(point) - tip_mm(point - 1)).norm();
       if (crosses(point)) ++crossing_;
-      reposition(Repositioning::Kind::rapid, point, tip_mm(point - 1), axis_path_->at(point));
+      reposition(with_rewind(Repositioning::Kind::rapid), point, tip_mm(point - 1),
+                 axis_path_->at(point));
       return ok();
     }
     if (passes_quietly(point)) return ok();
@@ -127,7 +132,7 @@ class Walk {
     s_mm_ += segment.length_mm();
     if (segment.length_mm() == 0.0) {
       if (crosses(point)) ++crossing_;
-      turn(Repositioning::Kind::turn_in_place, point, axis_path_->at(point));
+      turn(with_rewind(Repositioning::Kind::turn_in_place), point, axis_path_->at(point));
       return ok();
     }
     const auto feed_mm_min = setting_.feed_mm_min();
@@ -142,6 +147,11 @@ class Walk {
     return ok();
   }
 
+  /// What a move without a feed along the path is where the first axis has to be rewound in it.
+  Repositioning::Kind with_rewind(Repositioning::Kind kind) {
+    return std::exchange(pending_rewind_rad_, std::nullopt) ? Repositioning::Kind::retract : kind;
+  }
+
   Problem no_feed(std::uint32_t point) const {
     const std::uint32_t line = tool_path_.cl_line[point];
     return {.code = Code::no_feed,
@@ -152,8 +162,8 @@ class Walk {
 
   /// Takes a straight move on one branch that can be near no limit.
   bool passes_quietly(std::uint32_t point) {
-    if (!quiet_ || setting_.arc() != nullptr || !setting_.feed_mm_min() || crosses(point) ||
-        axis_path_->branch[point - axis_path_->range.begin] == AxisPath::at_rest)
+    if (!quiet_ || pending_rewind_rad_ || setting_.arc() != nullptr || !setting_.feed_mm_min() ||
+        crosses(point) || axis_path_->branch[point - axis_path_->range.begin] == AxisPath::at_rest)
       return false;
     const double length_mm = (tip_mm(point) - tip_mm(point - 1)).norm();
     const SurveyedMove move{.point = point,
@@ -178,52 +188,104 @@ class Walk {
   }
 
   void cut(const SurveyedMove& move, const path::Segment& segment) {
-    using Follows = ClStretch::Follows;
     const RotaryPair& arrival = axis_path_->at(move.point);
-    const auto ends = [](double from, double to, const RotaryPair& before,
-                         const RotaryPair& after) {
-      return ClStretch::Ends{
-          from, to, before.first_rad, after.first_rad, before.second_rad, after.second_rad};
-    };
-    if (crosses(move.point)) {
-      const AxisPath::Crossing& crossing = *crossing_++;
-      survey(move, segment, Follows::branch, crossing.branch_before,
-             ends(0.0, crossing.fraction, rotary_, crossing.before));
-      if (!(crossing.before == crossing.after)) {
-        recorder_.reposition(
-            Repositioning::Kind::turn_in_place,
-            {move.point, move.line, move.s_from_mm + crossing.fraction * move.length_mm,
-             segment.tip_mm(crossing.fraction)},
-            joints(segment.tip_mm(crossing.fraction), crossing.before),
-            joints(segment.tip_mm(crossing.fraction), crossing.after));
-      }
-      survey(move, segment, Follows::branch, crossing.branch_after,
-             ends(crossing.fraction, 1.0, crossing.after, arrival));
-      return;
-    }
+    MovePart part{.kind = MovePart::Kind::branch, .from = rotary_, .to = arrival};
+    if (crosses(move.point)) return cross_pole(move, segment, *crossing_++);
     const std::uint8_t branch = axis_path_->branch[move.point - axis_path_->range.begin];
-    const bool rests = branch == AxisPath::at_rest;
-    survey(move, segment, rests ? Follows::rest : Follows::branch, rests ? 0 : branch,
-           ends(0.0, 1.0, rotary_, arrival));
+    if (branch == AxisPath::at_rest)
+      part.kind = MovePart::Kind::even;
+    else
+      part.branch = branch;
+    follow(move, segment, part);
   }
 
-  void survey(const SurveyedMove& move, const path::Segment& segment, ClStretch::Follows follows,
-              int branch, const ClStretch::Ends& ends) {
+  void follow(const SurveyedMove& move, const path::Segment& segment, MovePart part) {
+    if (pending_rewind_rad_) part = rewind_inside(move, segment, part);
+    survey(move, segment, part);
+  }
+
+  /// Both halves of a move through the pole, each on its great circle to the pole itself: the
+  /// digits of the CL data, or the freedom there, may lead past it by a little.
+  void cross_pole(const SurveyedMove& move, const path::Segment& segment,
+                  const AxisPath::Crossing& crossing) {
+    const double share = crossing.fraction;
+    const Vec3 pole = plan::pole_axis(model_, crossing.pole), tip_mm = segment.tip_mm(share);
+    path::Arc arc_in, arc_out;
+    const bool is_arc = setting_.arc() != nullptr;
+    if (is_arc) arc_in = arc_out = *setting_.arc();
+    arc_in.sweep_rad *= share;
+    arc_out.sweep_rad *= 1.0 - share;
+    const path::Segment way_in{segment.tip_from_mm(), segment.axis_from(), tip_mm, pole,
+                               is_arc ? &arc_in : nullptr};
+    const path::Segment way_out{tip_mm, pole, segment.tip_to_mm(), segment.axis_to(),
+                                is_arc ? &arc_out : nullptr};
+    SurveyedMove in = move, out = move;
+    in.length_mm = share * move.length_mm;
+    in.time_s = share * move.time_s;
+    out.s_from_mm = move.s_from_mm + in.length_mm;
+    out.length_mm = move.length_mm - in.length_mm;
+    out.time_s = move.time_s - in.time_s;
+    if (in.length_mm > 0.0)
+      survey(in, way_in,
+             {.kind = MovePart::Kind::branch,
+              .branch = crossing.branch_before,
+              .from = rotary_,
+              .to = crossing.before});
+    if (!(crossing.before == crossing.after))
+      reposition_inside(Repositioning::Kind::turn_in_place, move, segment, share, crossing.before,
+                        crossing.after);
+    if (out.length_mm > 0.0)
+      follow(out, way_out,
+             {.kind = MovePart::Kind::branch,
+              .branch = crossing.branch_after,
+              .from = crossing.after,
+              .to = axis_path_->at(move.point)});
+  }
+
+  /// Takes the part up to the place where the first axis is at the end of its range, and the
+  /// retract there.
+  /// @return what is left of the part.
+  MovePart rewind_inside(const SurveyedMove& move, const path::Segment& segment, MovePart part) {
+    const double rewind_rad = *std::exchange(pending_rewind_rad_, std::nullopt);
+    MovePart rest =
+        plan::split_at_limit(model_, segment, *ranges_.rotary_rad[0], part, rewind_rad, slack_rad_);
+    survey(move, segment, part);
+    rest.from = part.to;
+    rest.from.first_rad += rewind_rad;
+    reposition_inside(Repositioning::Kind::retract, move, segment, part.fraction_to, part.to,
+                      rest.from);
+    return rest;
+  }
+
+  void reposition_inside(Repositioning::Kind kind, const SurveyedMove& move,
+                         const path::Segment& segment, double fraction, const RotaryPair& before,
+                         const RotaryPair& after) {
+    const Vec3 tip_mm = segment.tip_mm(fraction);
+    recorder_.reposition(
+        kind, {move.point, move.line, move.s_from_mm + fraction * move.length_mm, tip_mm},
+        joints(tip_mm, before), joints(tip_mm, after));
+  }
+
+  void survey(const SurveyedMove& move, const path::Segment& segment, const MovePart& part) {
+    if (!(part.fraction_to > part.fraction_from)) return;
+    const ClStretch::Ends ends{part.fraction_from, part.fraction_to,     part.from.first_rad,
+                               part.to.first_rad,  part.from.second_rad, part.to.second_rad};
     // Stretches that follow each other share the joints' motion where they meet.
     const auto& met = met_[last_met_];
     const bool goes_on = met && met_first_rad_ == ends.first_from_rad &&
                          met_second_rad_ == ends.second_from_rad && met_s_mm_ == move.s_from_mm &&
                          ends.fraction_from == 0.0;
-    const ClStretch stretch{model_,
-                            segment,
-                            follows,
-                            branch,
-                            ends,
-                            gauge_length_mm_,
-                            settings_.origin_mm,
-                            slack_rad_,
-                            met_[1 - last_met_],
-                            goes_on ? &*met : nullptr};
+    const ClStretch stretch{
+        model_,
+        segment,
+        part.kind == MovePart::Kind::even ? ClStretch::Follows::rest : ClStretch::Follows::branch,
+        part.branch,
+        ends,
+        gauge_length_mm_,
+        settings_.origin_mm,
+        slack_rad_,
+        met_[1 - last_met_],
+        goes_on ? &*met : nullptr};
     recorder_.cut(stretch, move);
     last_met_ = 1 - last_met_;
     if (ends.fraction_to != 1.0) return forget_meeting();
@@ -237,7 +299,10 @@ class Walk {
   /// At a point the path may go on with other rotary values than it came with.
   void depart(std::uint32_t point) {
     for (; departure_ != axis_path_->departures.end() && departure_->point == point; ++departure_) {
-      if (departure_->inside) continue;
+      if (departure_->inside) {
+        pending_rewind_rad_ = departure_->turns_rad;
+        continue;
+      }
       turn(departure_->retract ? Repositioning::Kind::retract : Repositioning::Kind::turn_in_place,
            point, departure_->pair);
       rotary_ = departure_->pair;
@@ -263,6 +328,7 @@ class Walk {
   }
 
   const kinematics::Model& model_;
+  const plan::JointRanges& ranges_;
   const path::ToolPath& tool_path_;
   const plan::Settings& settings_;
   const bool zones_only_;
@@ -276,6 +342,7 @@ class Walk {
   std::vector<AxisPath::Departure>::const_iterator departure_;
   std::vector<AxisPath::Crossing>::const_iterator crossing_;
   RotaryPair rotary_;
+  std::optional<double> pending_rewind_rad_;  ///< of the first axis, inside the next move
   double s_mm_ = 0.0;
   /// The joints' motion where the last stretch ended, and a place for that of the next one.
   std::array<std::optional<kinematics::JointMotion>, 2> met_;
@@ -288,7 +355,7 @@ class Walk {
 Result<PathAnalysis> analyse_path(const kinematics::Model& model, const plan::JointRanges& ranges,
                                   const path::ToolPath& tool_path, const plan::Settings& settings,
                                   const AnalysisOptions& options) {
-  Walk walk{model, tool_path, settings, options};
+  Walk walk{model, ranges, tool_path, settings, options};
   for (const plan::Sequence& sequence : plan::sequences(tool_path)) {
     const auto gauge = settings.gauge_length_mm.find(sequence.tool_number);
     const bool gauge_known = gauge != settings.gauge_length_mm.end();
@@ -303,11 +370,12 @@ Result<PathAnalysis> analyse_path(const kinematics::Model& model, const plan::Jo
 }
 
 Result<PathAnalysis> analyse_choices(const kinematics::Model& model,
+                                     const plan::JointRanges& ranges,
                                      const path::ToolPath& tool_path,
                                      const plan::Settings& settings,
                                      std::span<const plan::SequenceChoice> choices,
                                      const AnalysisOptions& options) {
-  Walk walk{model, tool_path, settings, options};
+  Walk walk{model, ranges, tool_path, settings, options};
   for (const plan::SequenceChoice& choice : choices)
     if (auto status = walk.run(choice); !status) return std::move(status).error();
   return std::move(walk).finish();

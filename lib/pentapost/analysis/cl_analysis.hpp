@@ -25,6 +25,7 @@ Result<PathAnalysis> analyse_path(const kinematics::Model& model, const plan::Jo
 ///
 /// @param choices  of all sequences of the path, in order.
 Result<PathAnalysis> analyse_choices(const kinematics::Model& model,
+                                     const plan::JointRanges& ranges,
                                      const path::ToolPath& tool_path,
                                      const plan::Settings& settings,
                                      std::span<const plan::SequenceChoice> choices,

@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace pentapost::analysis {
+namespace {
+
+/// A feed that was lowered to a limit is not over it.
+constexpr double rounding = 1e-9;
+
+}  // namespace
 
 PerAxis per_axis(const kinematics::Joints& joints) {
   const Vec3& linear = joints.linear_mm;
@@ -43,22 +49,20 @@ double Load::largest() const {
   return largest;
 }
 
-std::size_t Load::largest_axis() const {
-  return static_cast<std::size_t>(std::max_element(ratio.begin(), ratio.end()) - ratio.begin());
-}
-
 bool Load::is_singular(double share) const {
   for (std::size_t i = 0; i < axis_count; ++i)
-    if (ratio[i] > share && asked_ratio[i] <= share) return true;
+    if (is_singular(i, share)) return true;
   return false;
 }
 
 bool Load::is_plainly_over(double share) const {
-  return std::any_of(asked_ratio.begin(), asked_ratio.end(),
-                     [share](double each) { return each > share; });
+  for (std::size_t i = 0; i < axis_count; ++i)
+    if (is_plainly_over(i, share)) return true;
+  return false;
 }
 
-Allowance::Allowance(const SpeedLimits& limits, double allowed_share) : share{allowed_share} {
+Allowance::Allowance(const SpeedLimits& limits, double allowed_share)
+    : share{allowed_share * (1.0 + rounding)} {
   for (std::size_t i = 0; i < axis_count; ++i)
     if (limits[i]) time_per_way_s[i] = 1.0 / *limits[i];
 }

@@ -55,10 +55,13 @@ struct Load {
   /// and the linear rates that go with those. 0 where no axis is over its share.
   PerAxis asked_ratio{};
   double largest() const;
-  std::size_t largest_axis() const;
   /// Whether an axis is over `share` of its limit, and would not be without the amplification.
+  bool is_singular(std::size_t axis, double share) const {
+    return ratio[axis] > share && asked_ratio[axis] <= share;
+  }
   bool is_singular(double share) const;
   /// Whether an axis is over `share` of its limit by what the tool's motion asks for alone.
+  bool is_plainly_over(std::size_t axis, double share) const { return asked_ratio[axis] > share; }
   bool is_plainly_over(double share) const;
 };
 /// What the load is held against.

@@ -48,6 +48,9 @@ class Grid {
   /// Beyond so many places a stretch all along a singularity is divided no further than this.
   static constexpr std::size_t many_places = 20'000;
   static constexpr int few_levels = 8;
+  /// From this level on a stretch is not divided whose rates are seen to run straight, twice: all
+  /// along a singularity the bound of their change is far too large.
+  static constexpr int straight_level = 4;
   static constexpr int crossing_levels = 40;
   /// So far inside a stretch its rates stand for those at a singularity on its end.
   static constexpr double inside_share = 1e-6;
@@ -84,7 +87,7 @@ class Grid {
     if (!is_too_far(from, to) && !has_crossing(from, to)) return true;
     const Place last = to;
     places.pop_back();
-    divide(last, 0, places);
+    divide(last, 0, false, places);
     return true;
   }
 
@@ -93,14 +96,36 @@ class Grid {
            largest_change;
   }
 
+  /// Whether the rates in the middle are those half way between the ends.
+  static bool are_straight(const Place& from, const Place& middle, const Place& to) {
+    constexpr double straight_share = 1e-3, noise_share = 1e-6;
+    const auto rate = [](const Place& place, std::size_t i) { return place.demand.rate[i]; };
+    const auto scale = [&](std::size_t i) {
+      return std::max({std::abs(rate(from, i)), std::abs(rate(middle, i)), std::abs(rate(to, i))});
+    };
+    const auto are_straight_within = [&](std::size_t begin, std::size_t end) {
+      double largest = 0.0;
+      for (std::size_t i = begin; i < end; ++i) largest = std::max(largest, scale(i));
+      for (std::size_t i = begin; i < end; ++i)
+        if (!(std::abs(rate(middle, i) - 0.5 * (rate(from, i) + rate(to, i))) <=
+              straight_share * scale(i) + noise_share * largest))
+          return false;
+      return true;
+    };
+    return are_straight_within(0, first_axis) && are_straight_within(first_axis, axis_count);
+  }
+
   /// Goes on from the last place.
-  void divide(const Place& to, int level, std::vector<Place>& places) const {
+  /// @param was_straight  the stretch that this is a half of.
+  void divide(const Place& to, int level, bool was_straight, std::vector<Place>& places) const {
     const int levels = places.size() < many_places ? most_levels : few_levels;
     if (level < levels && is_too_far(places.back(), to)) {
       Place middle;
       if (at(0.5 * (places.back().fraction + to.fraction), middle)) {
-        divide(middle, level + 1, places);
-        divide(to, level + 1, places);
+        const bool straight = level >= straight_level && are_straight(places.back(), middle, to);
+        const int next_level = straight && was_straight ? most_levels : level + 1;
+        divide(middle, next_level, straight, places);
+        divide(to, next_level, straight, places);
         return;
       }
     }

@@ -85,26 +85,28 @@ void Survey::extend(Zones& zones, bool is_inside, const SurveyedMove& move,
     zones.zones.emplace_back();
     zones.zones.back().from = move.place(step.from);
     zones.is_open = true;
-    raise(zones.zones.back(), move, step.from);
+    raise(zones, move, step.from);
   }
   Zone& zone = zones.zones.back();
   zone.to = move.place(step.to);
   zone.programmed_time_s += step.time_s;
   zone.time_lost_s += step.lost_s;
-  raise(zone, move, step.to);
+  raise(zones, move, step.to);
 }
 
-void Survey::raise(Zone& zone, const SurveyedMove& move, const Place& place) const {
-  const std::size_t axis = place.load.largest_axis();
-  const double ratio = place.load.ratio[axis];
-  if (ratio > zone.peak_ratio) {
+void Survey::raise(Zones& zones, const SurveyedMove& move, const Place& place) const {
+  Zone& zone = zones.zones.back();
+  for (std::size_t axis = 0; axis < axis_count; ++axis) {
+    const double ratio = place.load.ratio[axis];
+    if (!(ratio > zone.peak_ratio) || !(place.load.*zones.is_over)(axis, allowance_.share))
+      continue;
     zone.axis = axis;
     zone.peak_ratio = ratio;
     zone.peak_speed = std::abs(place.demand.rate[axis]) / move.time_s;
     zone.opening_sine = place.demand.opening_sine;
     zone.tool_axis = place.demand.axis;
   }
-  const double feed = move.feed_mm_min() / std::max(1.0, ratio);
+  const double feed = move.feed_mm_min() / std::max(1.0, place.load.largest());
   if (zone.lowest_feed_mm_min == 0.0 || feed < zone.lowest_feed_mm_min)
     zone.lowest_feed_mm_min = feed;
   for (const Watched& each : watched_) {

@@ -37,7 +37,7 @@ struct Approach {
 /// A stretch where an axis is over its allowance: a singular zone, or a demand that is plainly too
 /// high.
 struct Zone {
-  std::size_t axis = 0;  ///< of the largest ratio
+  std::size_t axis = 0;  ///< of the largest ratio among those that are over it for that cause
   PathPlace from, to;
   std::optional<Approach> closest;  ///< within the zone; nullopt: the machine has no singularity
   double peak_speed = 0.0;          ///< of that axis, mm/s or rad/s
@@ -86,7 +86,8 @@ class Survey {
 
  private:
   struct Zones {
-    std::vector<Zone> zones;
+    bool (Load::*is_over)(std::size_t axis, double share) const;
+    std::vector<Zone> zones = {};
     bool is_open = false;
   };
   /// A singularity, and the cosines between which a tool axis is nearer to one than closest_.
@@ -104,14 +105,14 @@ class Survey {
   void approach(const SurveyedMove& move, const Place& place);
   void take_place(const SurveyedMove& move, const Place& place);
   void extend(Zones& zones, bool is_inside, const SurveyedMove& move, const Step& step) const;
-  void raise(Zone& zone, const SurveyedMove& move, const Place& place) const;
+  void raise(Zones& zones, const SurveyedMove& move, const Place& place) const;
 
   std::vector<Watched> watched_;
   Allowance allowance_;
   std::array<AxisPeak, axis_count> peaks_{};
   std::optional<PerAxis> peak_accelerations_;
   std::optional<Approach> closest_;
-  Zones singular_, plain_;
+  Zones singular_{&Load::is_singular}, plain_{&Load::is_plainly_over};
   double predicted_time_s_ = 0.0;
 };
 

@@ -48,7 +48,7 @@ struct Cure {
 };
 
 struct ZoneReport {
-  std::string axis;  ///< of the largest ratio
+  std::string axis;  ///< of the largest ratio among those that are over it for that cause
   bool rotary = false;
   std::optional<kinematics::SingularityKind> kind = {};  ///< nullopt: no singularity causes it
   PathPlace from, to;

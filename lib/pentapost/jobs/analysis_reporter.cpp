@@ -69,7 +69,8 @@ AxisDemandReport report_axis(const ReportFrame& frame, const PathAnalysis& analy
 Cure lower_feed(const analysis::Zone& zone) {
   const double length_mm = zone.to.s_mm - zone.from.s_mm;
   return {.kind = Cure::Kind::feed,
-          .time_lost_s = 60.0 * length_mm / zone.lowest_feed_mm_min - zone.programmed_time_s,
+          .time_lost_s =
+              std::max(0.0, 60.0 * length_mm / zone.lowest_feed_mm_min - zone.programmed_time_s),
           .peak_ratio = 1.0,
           .feed_mm_min = zone.lowest_feed_mm_min};
 }

@@ -59,10 +59,10 @@ std::vector<WindowLoad> loads_of_other_tilt(const AnalyseJob& job, const Prepare
 /// none.
 std::optional<double> pole_axis_deg(const AnalyseJob& job, const ZoneReport& zone) {
   // A bend changes the axis a little more than the passage is off the pole.
-  constexpr double step_deg = 0.01, margin = 1.05;
+  constexpr double steps_per_deg = 100.0, margin = 1.05;
   if (job.job.post.flank || zone.kind != kinematics::SingularityKind::pole || !zone.closest_deg)
     return std::nullopt;
-  const double wanted_deg = step_deg * std::ceil(margin * *zone.closest_deg / step_deg);
+  const double wanted_deg = std::ceil(margin * *zone.closest_deg * steps_per_deg) / steps_per_deg;
   if (wanted_deg > largest_pole_axis_deg || *zone.closest_deg <= job.job.post.pole_axis_deg)
     return std::nullopt;
   return wanted_deg;

@@ -30,8 +30,9 @@ std::string warning_of(const ZoneReport& zone) {
 
 void report_zones(const PostJob& job, const PreparedJob& prepared, const path::ToolPath& planned,
                   const plan::Program& program, PostReport& report) {
-  const auto analysis = analysis::analyse_choices(prepared.model, planned, prepared.settings,
-                                                  program.choices, {.zones_only = true});
+  const auto analysis =
+      analysis::analyse_choices(prepared.model, prepared.ranges, planned, prepared.settings,
+                                program.choices, {.zones_only = true});
   // A move too short for the digits printed may lack a feed: such a path has no time.
   if (!analysis || !std::isfinite(analysis->predicted_time_s)) return;
   const ReportFrame frame{.model = prepared.model,

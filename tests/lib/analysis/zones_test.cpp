@@ -84,6 +84,19 @@ TEST(Zones, ThroughThePoleBetweenTwoPointsToo) {
   EXPECT_TRUE(analysis.zones.empty());
 }
 
+/// Seven digits lead past the pole by 1e-7 rad: that is the pole, and C need not race round it.
+TEST(Zones, ByTheDigitsOfTheClDataThePoleIsNotMissed) {
+  Cut cut{"hermle-c600u"};
+  for (int i = -5; i <= 4; ++i) cut.to({1e-7, 0.01 * (i + 0.5), 1.0});
+  cut.path.axis_rounding_rad = 1e-6;
+  const PathAnalysis analysis = cut.analysed();
+  // At the points beside it C is 2e-5 rad off, 0.5 mm from it.
+  EXPECT_LT(analysis.peaks[first_axis].speed, 2e-5 / 0.5 * 2000.0 / 60.0 * 1.1);
+  EXPECT_NEAR(analysis.closest->distance_rad, 0.0, 1e-12);
+  EXPECT_TRUE(analysis.zones.empty());
+  EXPECT_NEAR(analysis.predicted_time_s, analysis.programmed_time_s, 1e-9);
+}
+
 /// A tilt of 1 deg a mm far from the pole needs 33 deg/s of A whatever the amplification.
 TEST(Zones, APlainlyTooFastTiltIsNone) {
   Cut cut{"hermle-c600u"};
@@ -102,6 +115,18 @@ TEST(Zones, APlainlyTooFastTiltIsNone) {
   EXPECT_NEAR(over.time_lost_s, 0.5 - 0.3, 1e-6);
 }
 
+/// 1 deg a mm at 2000 mm/min: as fast as A may turn, but for the last digits.
+TEST(Zones, ADemandThatIsTheLimitIsNotOverIt) {
+  for (const double tilt_deg : {30.0, 40.0, 50.0}) {
+    Cut cut{"hermle-c600u"};
+    cut.limit("A", 2000.0 / 60.0);
+    for (int i = 0; i <= 10; ++i) cut.to(tilted(tilt_deg + i, 90.0));
+    const PathAnalysis analysis = cut.analysed();
+    EXPECT_NEAR(analysis.peaks[second_axis].ratio, 1.0, 1e-12);
+    EXPECT_TRUE(analysis.over_demands.empty());
+  }
+}
+
 /// Straight through the pole the first axis rests: the tilt is as fast there as anywhere.
 TEST(Zones, APlainlyTooFastTiltThroughThePoleIsNoneEither) {
   Cut cut{"hermle-c600u"};
@@ -112,6 +137,82 @@ TEST(Zones, APlainlyTooFastTiltThroughThePoleIsNoneEither) {
   ASSERT_FALSE(analysis.over_demands.empty());
   EXPECT_EQ(analysis.over_demands[0].axis, second_axis);
   EXPECT_NEAR(analysis.peaks[second_axis].speed, 0.02 * 2000.0 / 60.0, 1e-3);
+}
+
+/// Past the pole at 0.57 deg A is plainly over all along, and C by the singularity: each is
+/// reported with the axis that it is about, though the other one is over by more there.
+TEST(Zones, AZoneAndAnOverDemandAtOnePlaceNameTheirOwnAxes) {
+  Cut cut{"hermle-c600u"};
+  cut.limit("A", 20.0);
+  for (int i = -5; i <= 5; ++i) cut.to({0.01, 0.02 * i, 1.0});
+  const PathAnalysis analysis = cut.analysed();
+  ASSERT_EQ(analysis.zones.size(), 1U);
+  EXPECT_EQ(analysis.zones[0].axis, first_axis);
+  // At the nearest place: 0.02 / 0.01 rad a mm, 2000 mm/min, 150 deg/s.
+  EXPECT_NEAR(analysis.zones[0].peak_ratio, 2.0 * deg_per_rad * 2000.0 / 60.0 / 150.0, 0.01);
+  ASSERT_FALSE(analysis.over_demands.empty());
+  for (const Zone& over : analysis.over_demands) {
+    EXPECT_EQ(over.axis, second_axis);
+    EXPECT_LE(over.peak_ratio, 0.02 * deg_per_rad * 2000.0 / 60.0 / 20.0 + 1e-3);
+  }
+}
+
+/// The other way round: A needs 6 times its limit, C 4 times.
+TEST(Zones, AZoneNamesTheAxisThatTheSingularityAmplifies) {
+  Cut cut{"hermle-c600u"};
+  cut.limit("A", 20.0 / 6.0);
+  cut.limit("C", 600.0);
+  for (int i = -5; i <= 5; ++i) cut.to({0.01, 0.02 * i, 1.0});
+  const PathAnalysis analysis = cut.analysed();
+  ASSERT_EQ(analysis.zones.size(), 1U);
+  EXPECT_EQ(analysis.zones[0].axis, first_axis);
+  EXPECT_NEAR(analysis.zones[0].peak_ratio, 2.0 * deg_per_rad * 2000.0 / 60.0 / 600.0, 0.01);
+  // The feed is what all axes hold: A most slowly, at 0.02 rad a mm.
+  EXPECT_LT(analysis.zones[0].lowest_feed_mm_min, 2000.0 / 6.0);
+}
+
+/// 3+2 machining with a horizontal tool on a 45 deg nutating table: B rests where the reach ends.
+TEST(Zones, AToolThatRestsOnTheEndOfTheReachIsCuttingLikeAnyOther) {
+  Cut cut{"dmu-50-evolution"};
+  cut.limit("B", 150.0);
+  cut.limit("C", 150.0);
+  for (int i = 0; i <= 10; ++i) cut.to({0.0, 1.0, 0.0});
+  const PathAnalysis analysis = cut.analysed();
+  EXPECT_NEAR(analysis.programmed_time_s, 0.3, 1e-12);
+  EXPECT_NEAR(analysis.predicted_time_s, 0.3, 1e-12);
+  ASSERT_TRUE(analysis.closest);
+  EXPECT_EQ(analysis.closest->kind, SingularityKind::reach_boundary);
+  EXPECT_NEAR(analysis.closest->distance_rad, 0.0, 1e-12);
+  EXPECT_EQ(analysis.peaks[first_axis].speed, 0.0);
+  EXPECT_EQ(analysis.peaks[second_axis].speed, 0.0);
+  // The table lies flat on its side and the tip goes along one of the linear axes.
+  double fastest_mm_s = 0.0;
+  for (std::size_t i = 0; i < first_axis; ++i)
+    fastest_mm_s = std::max(fastest_mm_s, analysis.peaks[i].speed);
+  EXPECT_NEAR(fastest_mm_s, 2000.0 / 60.0, 1e-9);
+  EXPECT_TRUE(analysis.zones.empty());
+}
+
+/// All horizontal tool axes lie on that end: C alone turns, as far as the tool does.
+TEST(Zones, AToolThatTurnsAlongTheEndOfTheReachTurnsTheFirstAxisAlone) {
+  Cut cut{"dmu-50-evolution"};
+  for (int i = 0; i <= 10; ++i) cut.to({std::cos(0.02 * i), std::sin(0.02 * i), 0.0});
+  const PathAnalysis analysis = cut.analysed();
+  EXPECT_NEAR(analysis.predicted_time_s, 0.3, 1e-12);
+  EXPECT_NEAR(analysis.peaks[first_axis].speed, 0.02 * 2000.0 / 60.0, 1e-6);
+  EXPECT_NEAR(analysis.peaks[second_axis].speed, 0.0, 1e-6);
+}
+
+/// So close to that end all bounds are far too large, but C runs evenly and B hardly moves.
+TEST(Zones, AMoveBesideTheEndOfTheReachTakesFewPlaces) {
+  for (const double miss : {1e-9, 1e-8, 1e-7}) {
+    Cut cut{"dmu-50-evolution"};
+    cut.to({1.0, 0.0, miss});
+    cut.to({0.5, std::sqrt(0.75), miss});
+    const PathAnalysis analysis = cut.analysed({.most_samples = 100'000});
+    EXPECT_LT(analysis.samples.size(), 1000U) << miss;
+    EXPECT_NEAR(analysis.peaks[first_axis].speed, pi / 3.0 * 2000.0 / 60.0, 1e-2) << miss;
+  }
 }
 
 /// At a pole the second axis is not amplified, where the reach ends both are.

@@ -1,7 +1,9 @@
 #include "lib/jobs/job_case.hpp"
+#include "pentapost/jobs/analyse.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -69,6 +71,25 @@ TEST(Winding, AWideRangeThatIsExceededAfterAllIsRewoundOnce) {
 
 TEST(Winding, AWideRangeNeedsNoRetract) {
   EXPECT_TRUE(post("dmu-50-evolution", winding(720)).retracts.empty());
+}
+
+/// The analysis sees the program's own retracts, and C within its range all the way.
+TEST(Winding, IsAnalysedAsItIsPosted) {
+  for (const int steps : {37, 38, 360}) {
+    const auto job = sample::cl_job("huron-kx100", winding(steps));
+    const auto report = jobs::analyse({.job = job});
+    ASSERT_TRUE(report) << report.error().message;
+    const auto retracts = std::count_if(
+        report->repositionings.begin(), report->repositionings.end(),
+        [](const auto& each) { return each.kind == analysis::Repositioning::Kind::retract; });
+    EXPECT_EQ(static_cast<std::size_t>(retracts),
+              post("huron-kx100", winding(steps)).retracts.size());
+    const auto c = std::find_if(report->axes.begin(), report->axes.end(),
+                                [](const auto& each) { return each.name == "C"; });
+    ASSERT_NE(c, report->axes.end());
+    EXPECT_GE(c->span.value().lower, -190.0 - 1e-6);
+    EXPECT_LE(c->span.value().upper, 190.0 + 1e-6);
+  }
 }
 
 TEST(Winding, AnEndlessAxisRunsPastAFullTurn) {
