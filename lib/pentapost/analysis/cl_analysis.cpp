@@ -275,18 +275,16 @@ class Walk {
     const bool goes_on = met && met_first_rad_ == ends.first_from_rad &&
                          met_second_rad_ == ends.second_from_rad && met_s_mm_ == move.s_from_mm &&
                          ends.fraction_from == 0.0;
-    const ClStretch stretch{
-        model_,
-        segment,
-        part.kind == MovePart::Kind::even ? ClStretch::Follows::rest : ClStretch::Follows::branch,
-        part.branch,
-        ends,
-        gauge_length_mm_,
-        settings_.origin_mm,
-        slack_rad_,
-        met_[1 - last_met_],
-        goes_on ? &*met : nullptr};
-    recorder_.cut(stretch, move);
+    const auto cut_as = [&](ClStretch::Follows follows) {
+      return recorder_.cut(ClStretch{model_, segment, follows, part.branch, ends, gauge_length_mm_,
+                                     settings_.origin_mm, slack_rad_, met_[1 - last_met_],
+                                     goes_on ? &*met : nullptr},
+                           move);
+    };
+    // Where the rotary axes cannot follow the tool axis but within the slack, they run evenly.
+    if (!(part.kind != MovePart::Kind::even && cut_as(ClStretch::Follows::branch)) &&
+        !cut_as(ClStretch::Follows::even))
+      recorder_.interrupt();
     last_met_ = 1 - last_met_;
     if (ends.fraction_to != 1.0) return forget_meeting();
     met_first_rad_ = ends.first_to_rad;

@@ -119,7 +119,7 @@ Status JointAnalysis::cut(const JointMove& move) {
                               .s_from_mm = s_mm_,
                               .length_mm = length_mm,
                               .time_s = time_s(move, ends, length_mm)};
-  recorder_.cut(stretch, surveyed);
+  if (!recorder_.cut(stretch, surveyed)) recorder_.interrupt();
   recorder_.account(surveyed);
   s_mm_ += length_mm;
   met_.reset();

@@ -18,10 +18,13 @@ class Recorder {
   /// What the cutting moves belong to from now on.
   void begin_operation(int tool_number, const std::string& name);
   /// One stretch of a cutting move; a Grid says what a stretch is.
+  /// @return false where it has no rates anywhere, and nothing was taken.
   template <class Stretch>
-  void cut(const Stretch& stretch, const SurveyedMove& move) {
+  bool cut(const Stretch& stretch, const SurveyedMove& move) {
     Grid{stretch, move.time_s, allowance_, samples_.has_value()}.fill(places_);
+    if (places_.empty()) return false;
     take_places(move);
+    return true;
   }
   /// Whether no more than its time is to be known of a cutting move that is near no limit.
   bool may_pass(const SurveyedMove& move) { return windows_.is_outside(move); }

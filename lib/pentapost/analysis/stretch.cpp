@@ -33,7 +33,7 @@ ClStretch::ClStretch(const kinematics::Model& model, const path::Segment& segmen
       at_end_{at_end},
       at_start_{at_start} {
   at_end_.reset();
-  if (rests_on_singularity()) follows_ = Follows::rest;
+  if (rests_on_singularity()) follows_ = Follows::even;
 }
 
 // The reach may end on a great circle, and any tool axis may stand still on its end: there is no
@@ -43,7 +43,7 @@ bool ClStretch::rests_on_singularity() const {
   const auto is_singular = [&](double second_rad) {
     return std::abs(std::sin(second_rad - model_.beta_zero_rad)) < smallest_opening_sine;
   };
-  if (follows_ == Follows::rest || model_.rotary_count != 2 ||
+  if (follows_ == Follows::even || model_.rotary_count != 2 ||
       ends_.second_from_rad != ends_.second_to_rad || !is_singular(ends_.second_from_rad))
     return false;
   const auto middle = rotary(0.5 * (ends_.fraction_from + ends_.fraction_to));
@@ -53,9 +53,10 @@ bool ClStretch::rests_on_singularity() const {
 std::optional<ClStretch::Rotary> ClStretch::rotary(double fraction) const {
   if (fraction == ends_.fraction_from) return Rotary{ends_.first_from_rad, ends_.second_from_rad};
   if (fraction == ends_.fraction_to) return Rotary{ends_.first_to_rad, ends_.second_to_rad};
-  if (follows_ == Follows::rest)
-    return Rotary{ends_.first_from_rad + (fraction - ends_.fraction_from) * rest_rate_rad(),
-                  ends_.second_from_rad};
+  if (follows_ == Follows::even)
+    return Rotary{
+        ends_.first_from_rad + (fraction - ends_.fraction_from) * even_rates().first_rad,
+        ends_.second_from_rad + (fraction - ends_.fraction_from) * even_rates().second_rad};
   const auto found = kinematics::inverse_rotary(model_, segment_.axis(fraction), slack_rad_);
   if (found.count == 0) return std::nullopt;
   const auto& solution = found.branch[static_cast<std::size_t>(branch_)];
@@ -64,8 +65,10 @@ std::optional<ClStretch::Rotary> ClStretch::rotary(double fraction) const {
       nearest_turn(solution.second_rad, 0.5 * (ends_.second_from_rad + ends_.second_to_rad))};
 }
 
-double ClStretch::rest_rate_rad() const {
-  return (ends_.first_to_rad - ends_.first_from_rad) / (ends_.fraction_to - ends_.fraction_from);
+ClStretch::Rotary ClStretch::even_rates() const {
+  const double length = ends_.fraction_to - ends_.fraction_from;
+  return {(ends_.first_to_rad - ends_.first_from_rad) / length,
+          (ends_.second_to_rad - ends_.second_from_rad) / length};
 }
 
 const JointMotion* ClStretch::motion(double fraction) const {
@@ -94,13 +97,18 @@ std::optional<Demand> ClStretch::at(double fraction) const {
                 .tip_mm = segment_.tip_mm(fraction),
                 .axis = motion.axis()};
   const Vec3 tip_rate_mm = segment_.tip_rate_mm(fraction);
-  if (follows_ == Follows::rest) {
-    const auto rate = rates_of(motion, tip_rate_mm, rest_rate_rad(), 0.0);
+  if (follows_ == Follows::even) {
+    const auto rate =
+        rates_of(motion, tip_rate_mm, even_rates().first_rad, even_rates().second_rad);
     if (!rate) return std::nullopt;
     demand.rate = *rate;
     return demand;
   }
-  const auto rates = motion.rates({tip_rate_mm, segment_.axis_rate(fraction)});
+  // Nearer to a singularity the last digits of the first joint would be taken for its speed.
+  constexpr double smallest_opening_sine = 1e-8;
+  const Vec3 axis_rate = segment_.axis_rate(fraction);
+  if (demand.opening_sine < smallest_opening_sine && !axis_rate.isZero(0.0)) return std::nullopt;
+  const auto rates = motion.rates({tip_rate_mm, axis_rate});
   if (!rates) return std::nullopt;
   demand.rate = per_axis(*rates);
   return demand;
@@ -111,7 +119,7 @@ std::optional<PerAxis> ClStretch::acceleration(double fraction, const Demand& de
   if (found == nullptr) return std::nullopt;
   const kinematics::JointRates rates = joint_rates(demand.rate);
   const Vec3 tip_mm = segment_.tip_acceleration_mm(fraction);
-  if (follows_ == Follows::rest) {
+  if (follows_ == Follows::even) {
     const auto linear = found->linear_accelerations_mm(tip_mm, rates, 0.0, 0.0);
     return linear ? std::optional{per_axis(kinematics::JointRates{.linear_mm = *linear})}
                   : std::nullopt;
@@ -133,7 +141,8 @@ PerAxis ClStretch::asked(double fraction, const Demand& demand) const {
 }
 
 double ClStretch::relative_change(const Demand& from, const Demand& to, double length) const {
-  if (follows_ == Follows::rest) return length * std::abs(from.rate[first_axis]);
+  if (follows_ == Follows::even)
+    return length * (std::abs(from.rate[first_axis]) + std::abs(from.rate[second_axis]));
   const double sweep_rad = length * segment_.sweep_rad();
   const double turn_rad = length * segment_.axis_angle_rad();
   if (turn_rad == 0.0) return sweep_rad;
@@ -144,7 +153,7 @@ double ClStretch::relative_change(const Demand& from, const Demand& to, double l
 std::vector<double> ClStretch::turning_places() const {
   std::vector<double> places;
   const double turn = segment_.axis_angle_rad();
-  if (follows_ == Follows::rest || turn == 0.0 || model_.rotary_count < 2) return places;
+  if (follows_ == Follows::even || turn == 0.0 || model_.rotary_count < 2) return places;
   // Of less than half a turn, one whose ends are approached in the same sense has none.
   const Vec3 normal = segment_.axis_from().cross(segment_.axis_to());
   const bool comes_nearer = model_.a.dot(normal.cross(segment_.axis_from())) > 0.0;

@@ -15,7 +15,8 @@ class ClStretch {
  public:
   enum class Follows {
     branch,  ///< the rotary joints follow the tool axis on one solution
-    rest,    ///< the tool axis rests at the pole while the first joint turns evenly
+    even,  ///< the rotary joints turn evenly: the tool axis rests on a singularity, or they cannot
+           ///< follow it but within the slack
   };
   /// Both ends, with the rotary values there.
   struct Ends {
@@ -60,7 +61,7 @@ class ClStretch {
   std::optional<Rotary> rotary(double fraction) const;
   const kinematics::JointMotion* motion(double fraction) const;
   bool rests_on_singularity() const;
-  double rest_rate_rad() const;  ///< of the first joint
+  Rotary even_rates() const;  ///< by the fraction
 
   const kinematics::Model& model_;
   const path::Segment& segment_;

@@ -7,7 +7,6 @@
 namespace pentapost::jobs {
 namespace {
 
-using analysis::axis_count;
 using analysis::first_axis;
 using analysis::PathAnalysis;
 

@@ -16,6 +16,12 @@ namespace {
 
 std::string speed_text(double speed) { return number_text(speed, speed < 100.0 ? 1 : 0); }
 
+/// Rounded down; never to 0 where a feed of thousandths can be held.
+std::string feed_text(double feed_mm_min) {
+  return feed_mm_min < 10.0 ? number_text(std::floor(1000.0 * feed_mm_min) / 1000.0, 3)
+                            : number_text(std::floor(feed_mm_min), 0);
+}
+
 /// Short enough for one line of every control.
 std::string warning_of(const ZoneReport& zone) {
   using enum kinematics::SingularityKind;
@@ -23,7 +29,7 @@ std::string warning_of(const ZoneReport& zone) {
   return "warning" + where + ": " + zone.axis + " " + speed_text(zone.peak_speed) + " of " +
          speed_text(zone.peak_speed / zone.peak_ratio) + (zone.rotary ? " deg/s" : " mm/s") +
          " to CL line " + std::to_string(zone.to.line) + "; hold F" +
-         number_text(std::floor(zone.lowest_feed_mm_min), 0);
+         feed_text(zone.lowest_feed_mm_min);
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace {
 
 /// Index of a sign of tilt (0: plus, 1: minus) and whole turns from -2 to 2.
 std::size_t way_of(int branch, int turns) {
-  return static_cast<std::size_t>(2 * (turns + 2) + branch);
+  const int way = 2 * (turns + 2) + branch;
+  return static_cast<std::size_t>(way);
 }
 
 }  // namespace

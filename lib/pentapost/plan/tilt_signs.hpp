@@ -28,7 +28,7 @@ class TiltSigns {
 
  private:
   static constexpr int most_turns = 2;
-  static constexpr std::size_t count = 2 * (2 * most_turns + 1);
+  static constexpr std::size_t count = 2UL * (2UL * most_turns + 1UL);
   using Ways = std::bitset<count>;
 
   Ways allowed(PointRange points) const;

@@ -215,6 +215,17 @@ TEST(Zones, AMoveBesideTheEndOfTheReachTakesFewPlaces) {
   }
 }
 
+/// An axis that differs in its last digits from move to move, and a machine that cannot follow it.
+TEST(Zones, AMoveThatTheRotaryAxesFollowOnlyWithinTheSlackIsCuttingLikeAnyOther) {
+  for (const char* machine : {"generic-3axis", "generic-4axis-a"}) {
+    Cut cut{machine};
+    for (int i = 0; i <= 10; ++i) cut.to({1e-5 * (i % 2), 0.0, 1.0});
+    const PathAnalysis analysis = cut.analysed();
+    EXPECT_NEAR(analysis.predicted_time_s, 0.3, 1e-12) << machine;
+    EXPECT_NEAR(analysis.peaks[0].speed, 2000.0 / 60.0, 1e-9) << machine;
+  }
+}
+
 /// At a pole the second axis is not amplified, where the reach ends both are.
 TEST(Amplification, IsThatOfEachAxis) {
   const kinematics::Model swivel{sample::bundled_machine("hermle-c600u").chain};

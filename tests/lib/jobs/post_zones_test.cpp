@@ -94,5 +94,17 @@ TEST(PostZones, NeedALimit) {
   EXPECT_NEAR(report.predicted_time_s.value(), report.programmed_time_s, 1e-9);
 }
 
+/// 60 deg in 60 mm past the pole at 0.001 deg: C turns 57296 deg a mm, and 150 deg/s are 0.157
+/// mm/min.
+TEST(PostZones, AWarningNeverSaysFeedNought) {
+  auto job = sample::cl_job("hermle-c600u",
+                            sample::cl_program("GOTO/0,0,0,-0.5,0.0000151150,0.8660254037\n"
+                                               "GOTO/60,0,0,0.5,0.0000151150,0.8660254037\n"));
+  job.tolerances.axis_deg = 0.1;
+  job.post.zone_comments = true;
+  const auto report = posted(job);
+  EXPECT_NE(upper(report.nc).find("F0.157"), std::string::npos) << report.nc;
+}
+
 }  // namespace
 }  // namespace pentapost
