@@ -4,6 +4,7 @@
 #include "pentapost/core/number_text.hpp"
 #include "pentapost/jobs/analyse_program.hpp"
 #include "pentapost/jobs/analysis_reporter.hpp"
+#include "pentapost/jobs/bends.hpp"
 #include "pentapost/jobs/cures.hpp"
 #include "pentapost/jobs/prepared_job.hpp"
 
@@ -49,32 +50,6 @@ void warn_of_assumptions(const PostJob& job, PreparedJob& prepared) {
   warn_of_unchecked_ranges(job, prepared.ranges, missing, diagnostics);
 }
 
-std::ptrdiff_t retracts_of(const analysis::PathAnalysis& analysis) {
-  return std::count_if(analysis.repositionings.begin(), analysis.repositionings.end(),
-                       [](const analysis::Repositioning& each) {
-                         return each.kind == analysis::Repositioning::Kind::retract;
-                       });
-}
-
-/// The analysis of the bent path. Where a program would be planned without the bends, since they
-/// make it fail or cost a retract, the CL's own path is analysed and `bent` is emptied.
-Result<analysis::PathAnalysis> analyse_with_bends(const AnalyseJob& job,
-                                                  const PreparedJob& prepared,
-                                                  plan::PoleBends& bent) {
-  const auto along = [&](const path::ToolPath& tool_path) {
-    return analysis::analyse_path(prepared.model, prepared.ranges, tool_path, prepared.settings,
-                                  {.share = job.zone_share, .most_samples = job.samples});
-  };
-  if (bent.bends.empty()) return along(prepared.read.tool_path);
-  auto with_bends = along(bent.tool_path);
-  if (with_bends && retracts_of(*with_bends) == 0) return with_bends;
-  auto without = along(prepared.read.tool_path);
-  if (with_bends && (!without || retracts_of(*with_bends) <= retracts_of(*without)))
-    return with_bends;
-  bent = {};
-  return without;
-}
-
 }  // namespace
 
 Result<AnalyseReport> analyse(const AnalyseJob& job) {
@@ -83,12 +58,14 @@ Result<AnalyseReport> analyse(const AnalyseJob& job) {
   auto prepared = prepare(job.job);
   if (!prepared) return std::move(prepared).error();
   expand_holes(*prepared, [](std::uint32_t) { return false; });
-  auto bent = bend_at_poles(*prepared);
+  const auto bent = bend_at_poles(*prepared, prepared->settings);
+  const path::ToolPath& tool_path = bent.bends.empty() ? prepared->read.tool_path : bent.tool_path;
   warn_of_assumptions(job.job, *prepared);
-  auto analysis = analyse_with_bends(job, *prepared, bent);
+  auto analysis =
+      analysis::analyse_path(prepared->model, prepared->ranges, tool_path, prepared->settings,
+                             {.share = job.zone_share, .most_samples = job.samples});
   if (!analysis) return std::move(analysis).error();
 
-  const path::ToolPath& tool_path = bent.bends.empty() ? prepared->read.tool_path : bent.tool_path;
   AnalyseReport report;
   static_cast<ReportHead&>(report) = report_head(job.job, prepared->read);
   report.points = tool_path.size();

@@ -1,6 +1,7 @@
 #include "pentapost/jobs/cures.hpp"
 
 #include "pentapost/analysis/cl_analysis.hpp"
+#include "pentapost/jobs/bends.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -102,8 +103,7 @@ class Cures {
     if (largest_deg == 0.0) return;
     plan::Settings settings = prepared_.settings;
     settings.pole_axis_rad = std::max(largest_deg, job_.job.post.pole_axis_deg) * rad_per_deg;
-    const auto bent =
-        plan::bend_at_poles(prepared_.model, prepared_.ranges, settings, prepared_.read.tool_path);
+    const auto bent = bend_at_poles(prepared_, settings);
     if (bent.bends.empty()) return;
     const auto loads = loads_of(prepared_, settings, bent.tool_path, job_.zone_share, windows_);
     if (loads.empty()) return;

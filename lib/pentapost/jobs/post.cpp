@@ -1,5 +1,6 @@
 #include "pentapost/jobs/post.hpp"
 
+#include "pentapost/jobs/bends.hpp"
 #include "pentapost/jobs/post_zones.hpp"
 #include "pentapost/jobs/prepared_job.hpp"
 #include "pentapost/jobs/unproven.hpp"
@@ -141,14 +142,16 @@ Result<PostReport> post(const PostJob& job) {
   auto& [control, read, model, ranges, settings] = *prepared;
   expand_holes(*prepared, plan::native_holes(model, read.tool_path, settings));
   if (auto status = check_gauge_lengths(job, *prepared); !status) return std::move(status).error();
-  auto bent = bend_at_poles(*prepared);
+  auto bent = bend_at_poles(*prepared, settings);
   auto program = plan_with_bends(*prepared, bent);
   if (!program) return placed(std::move(program).error());
 
   PostReport report;
-  report_zones(job, *prepared, bent.bends.empty() ? read.tool_path : bent.tool_path, *program,
-               report);
-  if (job.post.zone_comments) comment_zones(report, program->motion);
+  report.length_mm = program->length_mm;
+  report.programmed_time_s = program->programmed_time_s;
+  const path::ToolPath& planned = bent.bends.empty() ? read.tool_path : bent.tool_path;
+  report_zones(job, *prepared, planned, *program, report);
+  if (job.post.zone_comments) comment_zones(report, planned, program->motion);
   // What is proven is how far the program leaves the CL data, not the plan.
   std::vector<Vec3> planned_axis_wp;
   if (!bent.bends.empty()) {
@@ -164,8 +167,6 @@ Result<PostReport> post(const PostJob& job) {
   report.output = control.output;
   report.blocks = program->motion.blocks.size();
   report.inserted_points = program->inserted_points + bent.inserted_points;
-  report.length_mm = program->length_mm;
-  report.programmed_time_s = program->programmed_time_s;
   report.pole_axis_change_deg =
       std::max(program->axis_change_rad, bent.largest_change_rad) * deg_per_rad;
   for (const auto& bend : bent.bends)

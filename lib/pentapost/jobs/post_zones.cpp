@@ -1,6 +1,7 @@
 #include "pentapost/jobs/post_zones.hpp"
 
 #include "pentapost/analysis/cl_analysis.hpp"
+#include "pentapost/cl/cycles.hpp"
 #include "pentapost/core/number_text.hpp"
 #include "pentapost/jobs/analysis_reporter.hpp"
 
@@ -25,20 +26,35 @@ std::string feed_text(double feed_mm_min) {
 /// Short enough for one line of every control.
 std::string warning_of(const ZoneReport& zone) {
   using enum kinematics::SingularityKind;
-  const std::string where = !zone.kind ? "" : *zone.kind == pole ? ", pole" : ", reach";
-  return "warning" + where + ": " + zone.axis + " " + speed_text(zone.peak_speed) + " of " +
+  const std::string why = !zone.kind ? "too fast: " : *zone.kind == pole ? "pole: " : "reach: ";
+  return why + zone.axis + " " + speed_text(zone.peak_speed) + " of " +
          speed_text(zone.peak_speed / zone.peak_ratio) + (zone.rotary ? " deg/s" : " mm/s") +
-         " to CL line " + std::to_string(zone.to.line) + "; hold F" +
-         feed_text(zone.lowest_feed_mm_min);
+         " to CL line " + std::to_string(zone.to.line) + ", hold " +
+         feed_text(zone.lowest_feed_mm_min) + " mm/min";
+}
+
+bool has_holes(const path::ToolPath& planned) {
+  return std::find(planned.move.begin(), planned.move.end(), path::Move::hole) !=
+         planned.move.end();
+}
+
+/// The holes of a native cycle are gone through as the control drills them.
+Result<analysis::PathAnalysis> analysed(const PreparedJob& prepared, const path::ToolPath& planned,
+                                        const plan::Program& program) {
+  const analysis::AnalysisOptions options{.zones_only = true};
+  if (!has_holes(planned))
+    return analysis::analyse_choices(prepared.model, prepared.ranges, planned, prepared.settings,
+                                     program.choices, options);
+  const auto single = cl::expand_cycles(planned, [](std::uint32_t) { return false; });
+  return analysis::analyse_path(prepared.model, prepared.ranges, single, prepared.settings,
+                                options);
 }
 
 }  // namespace
 
 void report_zones(const PostJob& job, const PreparedJob& prepared, const path::ToolPath& planned,
                   const plan::Program& program, PostReport& report) {
-  const auto analysis =
-      analysis::analyse_choices(prepared.model, prepared.ranges, planned, prepared.settings,
-                                program.choices, {.zones_only = true});
+  const auto analysis = analysed(prepared, planned, program);
   // A move too short for the digits printed may lack a feed: such a path has no time.
   if (!analysis || !std::isfinite(analysis->predicted_time_s)) return;
   const ReportFrame frame{.model = prepared.model,
@@ -47,22 +63,29 @@ void report_zones(const PostJob& job, const PreparedJob& prepared, const path::T
                           .to_cl = turn_of(job.setup).transpose(),
                           .linear_known = job.setup.origin_mm.has_value()};
   report.predicted_time_s = analysis->predicted_time_s;
+  report.programmed_time_s = analysis->programmed_time_s;
+  report.length_mm = analysis->length_mm;
   report.zones = report_zones(frame, analysis->zones, true);
   report.over_demands = report_zones(frame, analysis->over_demands, false);
 }
 
-void comment_zones(const PostReport& report, path::Motion& motion) {
+void comment_zones(const PostReport& report, const path::ToolPath& planned, path::Motion& motion) {
   std::vector<const ZoneReport*> zones;
   for (const auto* each : {&report.zones, &report.over_demands})
     for (const ZoneReport& zone : each->zones) zones.push_back(&zone);
   std::stable_sort(zones.begin(), zones.end(), [](const ZoneReport* x, const ZoneReport* y) {
     return x->from.s_mm < y->from.s_mm;
   });
+  // With native cycles the points of the zones are not those of the blocks.
+  const bool by_line = has_holes(planned);
+  const auto has_begun = [&](const path::Block& block, const PathPlace& place) {
+    return by_line ? block.cl_line >= place.line : block.point >= place.point;
+  };
   std::vector<path::Action> comments;
   std::size_t block = 0;
   for (const ZoneReport* zone : zones) {
     while (block < motion.blocks.size() &&
-           !(motion.blocks[block].on_path && motion.blocks[block].point >= zone->from.point))
+           !(motion.blocks[block].on_path && has_begun(motion.blocks[block], zone->from)))
       ++block;
     if (block == motion.blocks.size()) break;
     comments.push_back(

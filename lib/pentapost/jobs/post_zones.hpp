@@ -14,6 +14,6 @@ void report_zones(const PostJob& job, const PreparedJob& prepared, const path::T
                   const plan::Program& program, PostReport& report);
 
 /// Writes a warning into the program where each zone of the report begins.
-void comment_zones(const PostReport& report, path::Motion& motion);
+void comment_zones(const PostReport& report, const path::ToolPath& planned, path::Motion& motion);
 
 }  // namespace pentapost::jobs

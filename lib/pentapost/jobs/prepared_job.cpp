@@ -118,11 +118,6 @@ void expand_holes(PreparedJob& prepared,
     tool_path = cl::expand_cycles(tool_path, stays_native, &prepared.read.diagnostics);
 }
 
-plan::PoleBends bend_at_poles(const PreparedJob& prepared) {
-  return plan::bend_at_poles(prepared.model, prepared.ranges, prepared.settings,
-                             prepared.read.tool_path);
-}
-
 std::optional<int> missing_gauge_length(const PostJob& job, const path::ToolPath& tool_path) {
   for (const auto& sequence : plan::sequences(tool_path))
     if (!job.gauge_length_mm.contains(sequence.tool_number)) return sequence.tool_number;

@@ -8,7 +8,6 @@
 #include "pentapost/nc/dialect.hpp"
 #include "pentapost/nc/reader.hpp"
 #include "pentapost/plan/branches.hpp"
-#include "pentapost/plan/pole_bend.hpp"
 #include "pentapost/plan/settings.hpp"
 
 #include <cstdint>
@@ -49,10 +48,6 @@ Mat3 turn_of(const Setup& setup);
 /// Writes the holes of the path as single moves, but those that remain holes.
 void expand_holes(PreparedJob& prepared,
                   const std::function<bool(std::uint32_t point)>& stays_native);
-
-/// The path led through the poles that it passes within the job's pole_axis_deg. After
-/// expand_holes().
-plan::PoleBends bend_at_poles(const PreparedJob& prepared);
 
 /// The first tool of the path without a gauge length.
 std::optional<int> missing_gauge_length(const PostJob& job, const path::ToolPath& tool_path);
