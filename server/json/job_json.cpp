@@ -3,6 +3,7 @@
 #include "pentapost/core/number_text.hpp"
 #include "pentapost/json/definition_json.hpp"
 #include "pentapost/json/strict_reader.hpp"
+#include "server/json/job_source.hpp"
 #include "server/json/name_text.hpp"
 
 #include <algorithm>
@@ -35,27 +36,7 @@ constexpr auto setup_angle_domain =
 constexpr std::size_t default_samples = 2000;
 // Keys of POST /analyse alone.
 constexpr auto zone_share_key = "zone_share"sv, nc_dialect_key = "nc_dialect"sv;
-
-/// The words of a job, and where in the JSON job each belongs.
-struct WordRow {
-  std::string_view name, pointer;
-};
-constexpr std::array word_rows{
-    WordRow{"machine", "/machine"},
-    WordRow{"output", "/post/output"},
-    WordRow{"dialect", "/post/dialect"},
-    WordRow{"tip_mm", "/tolerances/tip_mm"},
-    WordRow{"axis_deg", "/tolerances/axis_deg"},
-    WordRow{"cl_units", "/cl_units"},
-    WordRow{"program_name", "/post/program_name"},
-    WordRow{zone_share_key, "/zone_share"},
-    WordRow{nc_dialect_key, "/nc_dialect"},
-};
-
-std::string_view pointer_of(std::string_view word) {
-  const auto row = std::ranges::find(word_rows, word, &WordRow::name);
-  return row == word_rows.end() ? std::string_view{} : row->pointer;
-}
+constexpr std::array analysis_words{zone_share_key, nc_dialect_key};
 
 enum class Operation { post, analyse };
 
@@ -64,23 +45,16 @@ class JobReader {
  public:
   JobReader(json::Document& document, const JobParts& parts, const JobContext& context,
             Operation operation)
-      : document_{document}, parts_{parts}, context_{context}, operation_{operation} {}
+      : document_{document},
+        source_{document, parts},
+        parts_{parts},
+        context_{context},
+        operation_{operation} {}
 
   /// What the operation has no key for keeps its default.
   Result<jobs::AnalyseJob> read();
 
  private:
-  void check_words();
-  const std::string* word(std::string_view name, const std::optional<Object>& object,
-                          std::string_view key);
-  std::optional<std::size_t> choice(std::string_view name, const std::optional<Object>& object,
-                                    std::string_view key, std::span<const std::string_view> words);
-  std::optional<double> number(std::string_view name, const std::optional<Object>& object,
-                               const Domain& domain);
-  std::optional<std::string> text(std::string_view name, const std::optional<Object>& object);
-  void fail(Code code, std::string_view pointer, std::string message);
-  const std::optional<Problem>& first_problem() const;
-
   std::optional<machine::Definition> machine_of(const Object& job);
   std::optional<std::string> dialect(std::string_view name, const std::optional<Object>& object);
   bool takes_nc() const { return operation_ == Operation::analyse; }
@@ -98,99 +72,26 @@ class JobReader {
   void read_analysis(const Object& job, jobs::AnalyseJob& result);
 
   json::Document& document_;
+  JobSource source_;
   const JobParts& parts_;
   const JobContext& context_;
   Operation operation_;
-  std::optional<Problem> word_problem_ = {};  ///< first failure outside the JSON text
 };
-
-void JobReader::fail(Code code, std::string_view pointer, std::string message) {
-  if (word_problem_ || document_.problem()) return;
-  word_problem_ =
-      Problem{.code = code, .message = std::move(message), .pointer = std::string{pointer}};
-}
-
-/// fail() keeps nothing after a failure of the document, so what it kept came before.
-const std::optional<Problem>& JobReader::first_problem() const {
-  return word_problem_ ? word_problem_ : document_.problem();
-}
-
-void JobReader::check_words() {
-  for (const auto& [name, value] : parts_.words) {
-    const bool of_analysis = name == zone_share_key || name == nc_dialect_key;
-    if (pointer_of(name).empty() || (of_analysis && operation_ != Operation::analyse))
-      return fail(Code::unknown_key, json::pointer_step(name),
-                  quoted(name) + " is not a key of this form");
-    const auto same = [&name = name](const auto& field) { return field.first == name; };
-    if (std::ranges::count_if(parts_.words, same) > 1)
-      return fail(Code::conflicting_keys, pointer_of(name), quoted(name) + " stands twice");
-  }
-}
-
-/// The word of that name; nullptr: there is none. It and the key in the JSON job exclude each
-/// other.
-const std::string* JobReader::word(std::string_view name, const std::optional<Object>& object,
-                                   std::string_view key) {
-  const auto* found = find_field(parts_.words, name);
-  if (found != nullptr && object && object->has(key)) {
-    fail(Code::conflicting_keys, pointer_of(name),
-         quoted(name) + " stands in the job and beside it");
-  }
-  return found;
-}
-
-std::optional<std::size_t> JobReader::choice(std::string_view name,
-                                             const std::optional<Object>& object,
-                                             std::string_view key,
-                                             std::span<const std::string_view> words) {
-  const auto* found = word(name, object, key);
-  if (found == nullptr) return object ? object->optional_choice(key, words) : std::nullopt;
-  const auto place = std::ranges::find(words, std::string_view{*found});
-  if (place == words.end()) {
-    fail(Code::out_of_domain, pointer_of(name),
-         "found " + quoted(*found) + ", expected " + joined({words.begin(), words.end()}));
-    return std::nullopt;
-  }
-  return static_cast<std::size_t>(place - words.begin());
-}
-
-/// A number above 0.
-std::optional<double> JobReader::number(std::string_view name, const std::optional<Object>& object,
-                                        const Domain& domain) {
-  const auto* found = word(name, object, name);
-  if (found == nullptr) return object ? object->optional_number(name, domain) : std::nullopt;
-  const auto number = parse_number(*found);
-  if (!number || number->length != found->size() || !domain.contains(number->value)) {
-    const std::string bound =
-        std::isfinite(domain.upper) ? " and of at most " + number_text(domain.upper) : "";
-    fail(Code::out_of_domain, pointer_of(name),
-         "found " + quoted(*found) + ", expected a number above 0" + bound);
-    return std::nullopt;
-  }
-  return number->value;
-}
-
-std::optional<std::string> JobReader::text(std::string_view name,
-                                           const std::optional<Object>& object) {
-  const auto* found = word(name, object, name);
-  if (found != nullptr) return *found;
-  return object ? object->optional_string(name) : std::nullopt;
-}
 
 /// The name of a controller dialect.
 std::optional<std::string> JobReader::dialect(std::string_view name,
                                               const std::optional<Object>& object) {
-  auto found = text(name, object);
+  auto found = source_.text(name, object);
   if (found && std::ranges::find(context_.dialects, *found) == context_.dialects.end())
-    fail(Code::unknown_dialect, pointer_of(name),
-         "found " + quoted(*found) + ", expected one of " +
-             joined({context_.dialects.begin(), context_.dialects.end()}));
+    source_.fail(Code::unknown_dialect, word_pointer(name),
+                 "found " + quoted(*found) + ", expected one of " +
+                     joined({context_.dialects.begin(), context_.dialects.end()}));
   return found;
 }
 
 std::optional<machine::Definition> JobReader::machine_of(const Object& job) {
   std::optional<std::string> name;
-  if (const auto* found = word("machine", job, "machine")) {
+  if (const auto* found = source_.word("machine", job, "machine")) {
     name = *found;
   } else {
     const auto inline_or_name = job.value("machine");
@@ -198,7 +99,7 @@ std::optional<machine::Definition> JobReader::machine_of(const Object& job) {
       auto definition = json::definition_from_text(inline_or_name.object().text_in(*parts_.json),
                                                    context_.dialects, "/machine");
       if (definition) return std::move(definition).value();
-      if (!document_.problem() && !word_problem_) word_problem_ = std::move(definition).error();
+      source_.fail(std::move(definition).error());
       return std::nullopt;
     }
     if (document_.problem()) return std::nullopt;
@@ -210,21 +111,21 @@ std::optional<machine::Definition> JobReader::machine_of(const Object& job) {
   if (document_.problem()) return std::nullopt;
   const auto entry = find_machine(context_.machines, *name);
   if (entry) return (*entry)->definition;
-  fail(entry.error().code, "/machine", entry.error().message);
+  source_.fail(entry.error().code, "/machine", entry.error().message);
   return std::nullopt;
 }
 
 void JobReader::read_nc(const Object& job, jobs::AnalyseJob& result) {
   const auto exclude = [&](std::string_view key, bool is_given) {
     if (is_given)
-      fail(Code::conflicting_keys, std::string{"/"}.append(key),
-           "the job has nc, which excludes it");
+      source_.fail(Code::conflicting_keys, std::string{"/"}.append(key),
+                   "the job has nc, which excludes it");
   };
   exclude("cl", parts_.cl.has_value());
   for (const auto key : {"cl"sv, "path"sv, "cl_units"sv, "cl_dialect"sv})
     exclude(key, job.optional_value(key) || find_field(parts_.words, key) != nullptr);
   if (parts_.nc && job.has("nc"))
-    return fail(Code::conflicting_keys, "/nc", "it stands in the job and beside it");
+    return source_.fail(Code::conflicting_keys, "/nc", "it stands in the job and beside it");
   result.nc = jobs::NcProgram{.text = {}, .dialect = dialect(nc_dialect_key, job)};
   if (!parts_.nc) result.nc->text = job.take_string("nc");
 }
@@ -235,17 +136,17 @@ void JobReader::read_path(const Object& job, jobs::PostJob& result) {
   const bool apart = parts_.cl.has_value();
   const int count = (apart ? 1 : 0) + (job.has("cl") ? 1 : 0) + (job.has("path") ? 1 : 0);
   if (count > 1)
-    return fail(Code::conflicting_keys, job.has("path") ? "/path" : "/cl",
-                "a job has exactly one of cl and path");
+    return source_.fail(Code::conflicting_keys, job.has("path") ? "/path" : "/cl",
+                        "a job has exactly one of cl and path");
   const auto path = job.optional_object("path");
   if (path) {
     for (const auto key : {"cl_units"sv, "cl_dialect"sv}) {
       if (job.has(key))
-        fail(Code::conflicting_keys, std::string{"/"}.append(key),
-             "it belongs to cl, and the job has path");
+        source_.fail(Code::conflicting_keys, std::string{"/"}.append(key),
+                     "it belongs to cl, and the job has path");
     }
     if (find_field(parts_.words, "cl_units") != nullptr)
-      fail(Code::conflicting_keys, "/cl_units", "it belongs to cl, and the job has path");
+      source_.fail(Code::conflicting_keys, "/cl_units", "it belongs to cl, and the job has path");
     return read_points(*path, result);
   }
   read_cl(job, result);
@@ -253,7 +154,7 @@ void JobReader::read_path(const Object& job, jobs::PostJob& result) {
 
 void JobReader::read_cl(const Object& job, jobs::PostJob& result) {
   jobs::ClText cl;
-  if (const auto unit = choice("cl_units", job, "cl_units", unit_words))
+  if (const auto unit = source_.choice("cl_units", job, "cl_units", unit_words))
     cl.units = *unit == 0 ? jobs::ClUnits::mm : jobs::ClUnits::inch;
   cl.dialect = job.optional_string("cl_dialect");
   if (!parts_.cl && job.has("cl")) cl.text = job.take_string("cl");
@@ -315,8 +216,9 @@ void JobReader::read_tools(const Object& job, jobs::PostJob& result) {
 
 void JobReader::read_tolerances(const Object& job, jobs::Tolerances& tolerances) {
   const auto object = job.optional_object("tolerances");
-  tolerances.tip_mm = number("tip_mm", object, tip_domain).value_or(tolerances.tip_mm);
-  tolerances.axis_deg = number("axis_deg", object, axis_domain).value_or(tolerances.axis_deg);
+  tolerances.tip_mm = source_.number("tip_mm", object, tip_domain).value_or(tolerances.tip_mm);
+  tolerances.axis_deg =
+      source_.number("axis_deg", object, axis_domain).value_or(tolerances.axis_deg);
   if (object) object->finish();
 }
 
@@ -336,10 +238,10 @@ void JobReader::read_prefer(const Object& prefer, jobs::PostOptions& post) {
 
 void JobReader::read_post(const Object& job, jobs::PostOptions& post) {
   const auto object = job.optional_object("post");
-  if (const auto output = choice("output", object, "output", output_words))
+  if (const auto output = source_.choice("output", object, "output", output_words))
     post.output = *output == 0 ? Output::tcp : Output::axes;
   post.dialect = dialect("dialect", object);
-  post.program_name = text("program_name", object);
+  post.program_name = source_.text("program_name", object);
   if (!object) return;
   post.zone_comments = object->optional_boolean("zone_comments").value_or(false);
   post.flank = object->optional_boolean("flank").value_or(false);
@@ -381,29 +283,32 @@ void JobReader::read_limits(const Object& job, jobs::PostJob& result) {
 }
 
 void JobReader::read_analysis(const Object& job, jobs::AnalyseJob& result) {
-  result.zone_share = number(zone_share_key, job, Domain::positive()).value_or(result.zone_share);
+  result.zone_share =
+      source_.number(zone_share_key, job, Domain::positive()).value_or(result.zone_share);
   const bool wanted = job.optional_boolean("samples").value_or(false);
   const auto most =
       job.optional_integer("max_samples", static_cast<std::int64_t>(analysis::Samples::fewest),
                            static_cast<std::int64_t>(jobs::AnalyseJob::most_samples));
   if (most && !wanted)
-    fail(Code::conflicting_keys, "/max_samples", "it belongs to samples, and none are asked for");
+    source_.fail(Code::conflicting_keys, "/max_samples",
+                 "it belongs to samples, and none are asked for");
   if (wanted) result.samples = most ? static_cast<std::size_t>(*most) : default_samples;
 }
 
 Result<jobs::AnalyseJob> JobReader::read() {
   const auto job = document_.object();
   if (document_.problem()) return *document_.problem();
-  check_words();
+  source_.check_words(operation_ == Operation::analyse ? std::span<const std::string_view>{}
+                                                       : analysis_words);
   auto definition = machine_of(job);
-  if (auto first = first_problem()) return *first;
+  if (auto first = source_.first_problem()) return *first;
 
   jobs::AnalyseJob answer{.job = {.machine = std::move(*definition), .path = {}}};
   jobs::PostJob& result = answer.job;
   if (takes_nc())
     for (const auto key : {"nc"sv, nc_dialect_key}) job.optional_value(key);
   if (parts_.nc && !takes_nc())
-    fail(Code::unknown_key, "/nc", "an NC program is a path of /analyse alone");
+    source_.fail(Code::unknown_key, "/nc", "an NC program is a path of /analyse alone");
   if (has_nc(job))
     read_nc(job, answer);
   else
@@ -411,7 +316,7 @@ Result<jobs::AnalyseJob> JobReader::read() {
   const bool has_nc_dialect =
       job.has(nc_dialect_key) || find_field(parts_.words, nc_dialect_key) != nullptr;
   if (takes_nc() && !has_nc(job) && has_nc_dialect)
-    fail(Code::conflicting_keys, "/nc_dialect", "it belongs to nc, and the job has none");
+    source_.fail(Code::conflicting_keys, "/nc_dialect", "it belongs to nc, and the job has none");
   read_setup(job, result.setup);
   read_tools(job, result);
   read_tolerances(job, result.tolerances);
@@ -420,10 +325,10 @@ Result<jobs::AnalyseJob> JobReader::read() {
   if (operation_ == Operation::analyse) read_analysis(job, answer);
   job.finish();
   if (!parts_.cl && !job.has("cl") && !job.has("path") && !has_nc(job))
-    fail(Code::missing_key, "/cl",
-         takes_nc() ? "a job has exactly one of cl, path and nc"
-                    : "a job has exactly one of cl and path");
-  if (auto first = first_problem()) return *first;
+    source_.fail(Code::missing_key, "/cl",
+                 takes_nc() ? "a job has exactly one of cl, path and nc"
+                            : "a job has exactly one of cl and path");
+  if (auto first = source_.first_problem()) return *first;
   return answer;
 }
 
