@@ -1,5 +1,6 @@
 #include "pentapost/analysis/cl_analysis.hpp"
 
+#include "pentapost/analysis/cl_setting.hpp"
 #include "pentapost/analysis/quiet_moves.hpp"
 #include "pentapost/analysis/recorder.hpp"
 #include "pentapost/analysis/stretch.hpp"
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <string>
 #include <utility>
-#include <variant>
 
 namespace pentapost::analysis {
 namespace {
@@ -21,42 +21,6 @@ namespace {
 using plan::AxisPath;
 using plan::MovePart;
 using plan::RotaryPair;
-
-/// What the CL data have set for the move to a point.
-class Setting {
- public:
-  explicit Setting(const path::ToolPath& tool_path) : events_{tool_path.events} {}
-
-  /// Takes the events before the move to `point`.
-  void advance_to(std::uint32_t point) {
-    arc_ = nullptr;
-    for (; next_ < events_.size() && events_[next_].before_point <= point; ++next_) {
-      const path::EventKind& what = events_[next_].what;
-      if (const auto* feed = std::get_if<path::FeedRate>(&what)) feed_ = *feed;
-      if (const auto* spindle = std::get_if<path::Spindle>(&what); spindle && spindle->speed_rpm)
-        speed_rpm_ = spindle->speed_rpm;
-      if (const auto* operation = std::get_if<path::Operation>(&what)) operation_ = operation;
-      if (events_[next_].before_point == point)
-        if (const auto* arc = std::get_if<path::Arc>(&what)) arc_ = arc;
-    }
-  }
-  std::optional<double> feed_mm_min() const {
-    if (!feed_) return std::nullopt;
-    if (feed_->unit == path::FeedRate::Unit::mm_min) return feed_->value;
-    if (!speed_rpm_) return std::nullopt;
-    return feed_->value * *speed_rpm_;
-  }
-  const path::Arc* arc() const { return arc_; }
-  const path::Operation* operation() const { return operation_; }  ///< nullptr: none yet
-
- private:
-  const std::vector<path::Event>& events_;
-  std::size_t next_ = 0;
-  std::optional<path::FeedRate> feed_;
-  std::optional<double> speed_rpm_;
-  const path::Arc* arc_ = nullptr;
-  const path::Operation* operation_ = nullptr;
-};
 
 /// One sequence after the other.
 class Walk {
@@ -222,6 +186,7 @@ class Walk {
     SurveyedMove in = move, out = move;
     in.length_mm = share * move.length_mm;
     in.time_s = share * move.time_s;
+    in.fraction_to = out.fraction_from = share;
     out.s_from_mm = move.s_from_mm + in.length_mm;
     out.length_mm = move.length_mm - in.length_mm;
     out.time_s = move.time_s - in.time_s;
@@ -332,7 +297,7 @@ class Walk {
   const bool zones_only_;
   Recorder recorder_;
   std::optional<QuietMoves> quiet_;
-  Setting setting_;
+  ClSetting setting_;
   const path::Operation* operation_ = nullptr;  ///< as recorded
   int tool_number_ = 0;                         ///< 0: none yet
   const AxisPath* axis_path_ = nullptr;

@@ -16,6 +16,7 @@ struct PathPlace {
   std::uint32_t line = 0;   ///< of that point in the CL data or the NC text
   double s_mm = 0.0;        ///< length of the tip's path from the first point
   Vec3 tip_wp_mm = Vec3::Zero();
+  double fraction = 1.0;  ///< of the move
 };
 
 /// Largest speed of an axis while the tip moves at the programmed feed.
@@ -55,8 +56,11 @@ struct SurveyedMove {
   double s_from_mm = 0.0, length_mm = 0.0;
   double time_s = 0.0;  ///< at the programmed feed
   double feed_mm_min() const { return 60.0 * length_mm / time_s; }
+  /// The part of the whole move to the point that this is.
+  double fraction_from = 0.0, fraction_to = 1.0;
   PathPlace place(const Place& there) const {
-    return {point, line, s_from_mm + there.fraction * length_mm, there.demand.tip_mm};
+    return {point, line, s_from_mm + there.fraction * length_mm, there.demand.tip_mm,
+            fraction_from + there.fraction * (fraction_to - fraction_from)};
   }
 };
 

@@ -79,7 +79,9 @@ void comment_zones(const PostReport& report, const path::ToolPath& planned, path
   // With native cycles the points of the zones are not those of the blocks.
   const bool by_line = has_holes(planned);
   const auto has_begun = [&](const path::Block& block, const PathPlace& place) {
-    return by_line ? block.cl_line >= place.line : block.point >= place.point;
+    if (by_line) return block.cl_line >= place.line;
+    return block.point > place.point ||
+           (block.point == place.point && block.fraction > place.fraction);
   };
   std::vector<path::Action> comments;
   std::size_t block = 0;

@@ -1,4 +1,5 @@
 #include "lib/analysis/cut.hpp"
+#include "pentapost/analysis/stretch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -242,6 +243,31 @@ TEST(Amplification, IsThatOfEachAxis) {
     EXPECT_NEAR(
         amplification(nutating, second_axis, sine_b, tilted(tilt_deg, 70.0)) * tool_angle_sine, 1.0,
         1e-9);
+  }
+}
+
+/// A tilt of 1e-9 rad is the rounding of unit vectors, and no distance to divide by.
+TEST(ClStretchNearThePole, HasNoRatesWithinTheRoundingOfTheAxes) {
+  const kinematics::Model model{sample::bundled_machine("hermle-c600u").chain};
+  for (const double tilt : {1e-9, 1e-6}) {
+    const path::Segment move{Vec3::Zero(), Vec3{std::sin(0.1), 0.0, std::cos(0.1)}, Vec3::UnitX(),
+                             Vec3{std::sin(tilt), 0.0, std::cos(tilt)}};
+    const double first_rad = 0.5 * pi;
+    std::optional<kinematics::JointMotion> end;
+    const ClStretch stretch{model,
+                            move,
+                            ClStretch::Follows::branch,
+                            0,
+                            {.first_from_rad = first_rad,
+                             .first_to_rad = first_rad,
+                             .second_from_rad = 0.1,
+                             .second_to_rad = tilt},
+                            0.0,
+                            Vec3::Zero(),
+                            0.0,
+                            end};
+    EXPECT_TRUE(stretch.at(0.5));
+    EXPECT_EQ(stretch.at(1.0).has_value(), tilt > 1e-8) << tilt;
   }
 }
 

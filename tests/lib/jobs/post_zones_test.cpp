@@ -76,6 +76,24 @@ TEST(PostZones, AreWarnedOfInTheProgramWhereTheyBegin) {
   EXPECT_EQ(count_of(upper(plain.nc), "DEG/S"), 0U);
 }
 
+/// One long move that passes the pole half way, as joint values in many blocks: the warning stands
+/// among them.
+TEST(PostZones, AreWarnedOfInsideALongMove) {
+  auto job = sample::cl_job("hermle-c600u", sample::cl_program("GOTO/0,0,0,-0.5,0.01,0.866\n"
+                                                               "GOTO/60,0,0,0.5,0.01,0.866\n"));
+  job.post.zone_comments = true;
+  job.post.output = Output::axes;
+  const auto report = posted(job);
+  ASSERT_EQ(report.zones.total, 1U);
+  EXPECT_GT(report.zones.zones[0].from.s_mm, 20.0);
+  const auto warning = upper(report.nc).find("POLE: C");
+  ASSERT_NE(warning, std::string::npos);
+  const auto before = sample::motion_words(report.nc.substr(0, warning)).size();
+  const auto all = sample::motion_words(report.nc).size();
+  EXPECT_GT(before, 5U);
+  EXPECT_LT(before, all / 2 + 1);
+}
+
 TEST(PostZones, OfABentPathAreThoseOfTheBentPath) {
   auto job = cripps_job();
   job.post.pole_axis_deg = 1.05;
