@@ -5,6 +5,8 @@
 #include "pentapost/jobs/post.hpp"
 #include "pentapost/nc/dialect.hpp"
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -55,6 +57,22 @@ inline std::vector<std::string> motion_words(const std::string& nc) {
     if (moves) found.push_back(kept);
   }
   return found;
+}
+
+/// Values of one word letter in the order of the NC text.
+inline std::vector<double> words(const std::string& nc, char letter) {
+  std::vector<double> found;
+  for (const std::string& block : motion_words(nc)) {
+    const auto place = block.find(letter);
+    if (place != std::string::npos)
+      found.push_back(std::strtod(block.c_str() + place + 1, nullptr));
+  }
+  return found;
+}
+
+inline double span(const std::vector<double>& values) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return *most - *least;
 }
 
 }  // namespace pentapost::sample

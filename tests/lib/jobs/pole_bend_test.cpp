@@ -14,6 +14,9 @@
 namespace pentapost {
 namespace {
 
+using sample::span;
+using sample::words;
+
 /// Tool axis on a great circle that passes +Z at `miss_deg`, `along_deg` from the nearest place.
 std::string goto_line(double x_mm, double along_deg, double miss_deg, double sense = 1.0) {
   const double u = along_deg * rad_per_deg, v = miss_deg * rad_per_deg;
@@ -42,21 +45,6 @@ jobs::PostJob cripps_job(double eps_deg, Output output) {
   job.post.pole_axis_deg = eps_deg;
   job.post.output = output;
   return job;
-}
-
-std::vector<double> words(const std::string& nc, char letter) {
-  std::vector<double> found;
-  for (const std::string& block : sample::motion_words(nc)) {
-    const auto place = block.find(letter);
-    if (place != std::string::npos)
-      found.push_back(std::strtod(block.c_str() + place + 1, nullptr));
-  }
-  return found;
-}
-
-double span(const std::vector<double>& values) {
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  return *most - *least;
 }
 
 /// Largest turn of C for each mm of X in the cutting blocks.

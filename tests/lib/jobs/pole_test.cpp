@@ -8,6 +8,9 @@
 namespace pentapost {
 namespace {
 
+using sample::span;
+using sample::words;
+
 /// A tool axis tilted by `tilt_deg` towards azimuth `azimuth_deg`, as a GOTO at x with 7 digits.
 std::string goto_line(double x_mm, double tilt_deg, double azimuth_deg) {
   const double tilt = tilt_deg * rad_per_deg, azimuth = azimuth_deg * rad_per_deg;
@@ -16,22 +19,6 @@ std::string goto_line(double x_mm, double tilt_deg, double azimuth_deg) {
                 std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth),
                 std::cos(tilt));
   return text;
-}
-
-/// Values of one word letter in the order of the NC text.
-std::vector<double> words(const std::string& nc, char letter) {
-  std::vector<double> found;
-  for (const std::string& block : sample::motion_words(nc)) {
-    const auto place = block.find(letter);
-    if (place != std::string::npos)
-      found.push_back(std::strtod(block.c_str() + place + 1, nullptr));
-  }
-  return found;
-}
-
-double span(const std::vector<double>& values) {
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  return *most - *least;
 }
 
 TEST(Pole, RoundingNoiseDoesNotTurnC) {
