@@ -23,12 +23,18 @@ PlaceKeys place_keys(const jobs::AnalyseReport& report) {
   return report.nc_sha256.empty() ? cl_place_keys : nc_place_keys;
 }
 
+/// Way and times of the whole path or of a part of it.
+template <class Timed>
+void write_times(JsonWriter& writer, const Timed& timed) {
+  writer.key("length_mm").number(timed.length_mm);
+  writer.key("programmed_time_s").number(timed.programmed_time_s);
+  writer.key("predicted_time_s").number(timed.predicted_time_s);
+}
+
 void write_summary(JsonWriter& writer, const jobs::AnalyseReport& report) {
   writer.key("summary").begin_object();
   writer.key("points").integer(report.points);
-  writer.key("length_mm").number(report.length_mm);
-  writer.key("programmed_time_s").number(report.programmed_time_s);
-  writer.key("predicted_time_s").number(report.predicted_time_s);
+  write_times(writer, report);
   writer.key("repositioning_time_s").number(report.repositioning_time_s);
   if (report.pole_axis_change_deg)
     writer.key("pole_axis_change_deg").number(*report.pole_axis_change_deg);
@@ -44,9 +50,7 @@ void write_operations(JsonWriter& writer, const jobs::AnalyseReport& report) {
     writer.begin_object();
     writer.key("tool").integer(static_cast<std::uint64_t>(each.tool_number));
     if (!each.operation.empty()) writer.key("operation").string(each.operation);
-    writer.key("length_mm").number(each.length_mm);
-    writer.key("programmed_time_s").number(each.programmed_time_s);
-    writer.key("predicted_time_s").number(each.predicted_time_s);
+    write_times(writer, each);
     writer.end_object();
   }
   writer.end_array();
@@ -56,9 +60,7 @@ void write_tools(JsonWriter& writer, const jobs::AnalyseReport& report) {
   writer.key("tools").begin_object();
   for (const auto& [number, tool] : report.tools) {
     writer.key(std::to_string(number)).begin_object();
-    writer.key("length_mm").number(tool.length_mm);
-    writer.key("programmed_time_s").number(tool.programmed_time_s);
-    writer.key("predicted_time_s").number(tool.predicted_time_s);
+    write_times(writer, tool);
     writer.end_object();
   }
   writer.end_object();

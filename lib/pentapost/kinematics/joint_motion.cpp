@@ -167,10 +167,4 @@ std::optional<Vec3> JointMotion::linear_accelerations_mm(const Vec3& tip_acceler
   return linear_rates_mm(tip_acceleration_mm - tip_rest, first_rad, second_rad);
 }
 
-std::optional<JointRates> joint_rates(const Model& model, const Joints& joints,
-                                      double gauge_length_mm, const Vec3& tip_rate_mm,
-                                      const Vec3& axis_rate) {
-  return JointMotion{model, joints, gauge_length_mm}.rates({tip_rate_mm, axis_rate});
-}
-
 }  // namespace pentapost::kinematics

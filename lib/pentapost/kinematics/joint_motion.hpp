@@ -88,9 +88,4 @@ class JointMotion {
   double opening_sine_ = 1.0;
 };
 
-/// Joint velocities for a tool velocity, in one call.
-std::optional<JointRates> joint_rates(const Model& model, const Joints& joints,
-                                      double gauge_length_mm, const Vec3& tip_rate_mm,
-                                      const Vec3& axis_rate);
-
 }  // namespace pentapost::kinematics

@@ -17,6 +17,12 @@
 namespace pentapost::kinematics {
 namespace {
 
+std::optional<JointRates> joint_rates(const Model& model, const Joints& joints,
+                                      double gauge_length_mm, const Vec3& tip_rate_mm,
+                                      const Vec3& axis_rate) {
+  return JointMotion{model, joints, gauge_length_mm}.rates({tip_rate_mm, axis_rate});
+}
+
 using Columns = Eigen::Matrix<double, 5, 1>;
 using Rows = Eigen::Matrix<double, 6, 1>;
 
