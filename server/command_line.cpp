@@ -1,11 +1,16 @@
 #include "pentapost/jobs/analyse.hpp"
+#include "pentapost/jobs/compare.hpp"
 #include "pentapost/jobs/post.hpp"
+#include "pentapost/jobs/reorient.hpp"
 #include "pentapost/nc/dialect.hpp"
 #include "server/commands.hpp"
 #include "server/dialect_names.hpp"
 #include "server/json/analysis_json.hpp"
+#include "server/json/compare_json.hpp"
 #include "server/json/job_json.hpp"
+#include "server/json/name_text.hpp"
 #include "server/json/problem_json.hpp"
+#include "server/json/reorient_json.hpp"
 #include "server/json/report_json.hpp"
 #include "server/machine_folder.hpp"
 #include "server/text_files.hpp"
@@ -19,6 +24,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace pentapost::server {
 namespace {
@@ -43,14 +49,30 @@ std::optional<JobParts> parts_of(const JobFileOptions& options,
   return parts;
 }
 
-/// What is wrong with the use of the command; empty: nothing.
-std::string misuse_of(const JobFileOptions& options) {
+/// What is wrong with the inputs of a command; empty: nothing.
+std::string misuse_of_inputs(const JobFileOptions& options) {
   if (options.file.empty() && options.job.empty()) return "give FILE or - for standard input";
-  if (!options.machine && options.job.empty())
-    return "give --machine NAME; the command pentapost machines lists them";
   if (options.file == "-" && options.job == "-")
     return "FILE and --job cannot both be standard input";
   return {};
+}
+
+/// The same of a command for one machine.
+std::string misuse_of(const JobFileOptions& options) {
+  if (options.file.empty() && options.job.empty()) return misuse_of_inputs(options);
+  if (!options.machine && options.job.empty())
+    return "give --machine NAME; the command pentapost machines lists them";
+  return misuse_of_inputs(options);
+}
+
+/// The word for a flag; nullopt: not set.
+std::optional<std::string> word_of(bool flag) {
+  return flag ? std::optional<std::string>{"true"} : std::nullopt;
+}
+
+/// The word for a list; nullopt: empty.
+std::optional<std::string> word_of(const std::vector<std::string>& names) {
+  return names.empty() ? std::nullopt : std::optional{joined(names)};
 }
 
 std::string misuse_of(const PostFileOptions& options) {
@@ -139,6 +161,54 @@ ExitCode run(const AnalyseFileOptions& options) {
   if (!report) return fail(placed_in_request(report.error(), job->job, *machines), {});
   TextOutput output{{}, std::cout, analysis_json(*report) + '\n'};
   return output.prepare() && output.finish() ? exit_ok : exit_input_output;
+}
+
+ExitCode run(const ReorientFileOptions& options) {
+  if (const auto misuse = misuse_of(options); !misuse.empty()) {
+    std::cerr << "pentapost reorient: " << misuse << '\n';
+    return exit_usage;
+  }
+  auto parts = parts_of(options, {{"objective", options.objective},
+                                  {"max_tilt_deg", options.max_tilt_deg},
+                                  {"setup_accuracy_deg", options.setup_accuracy_deg}});
+  if (!parts) return exit_input_output;
+  const auto machines = load_library(machine_folder(options.machines), options.skip_bad_machines);
+  if (!machines) return exit_input_output;
+  const auto dialects = dialect_names();
+  const auto job =
+      read_reorient_job(std::move(*parts), {.machines = *machines, .dialects = dialects});
+  if (!job) return fail(job.error(), {});
+  const auto report = jobs::reorient(*job);
+  if (!report) return fail(placed_in_request(report.error(), job->job, *machines), {});
+  TextOutput output{{}, std::cout, reorient_json(*report) + '\n'};
+  return output.prepare() && output.finish() ? exit_ok : exit_input_output;
+}
+
+ExitCode run(const CompareFileOptions& options) {
+  if (const auto misuse = misuse_of_inputs(options); !misuse.empty()) {
+    std::cerr << "pentapost compare: " << misuse << '\n';
+    return exit_usage;
+  }
+  const auto compared = word_of(options.compared);
+  const auto reorient = word_of(options.reorient);
+  auto parts = parts_of(
+      options,
+      {{"machines", compared}, {"zone_share", options.zone_share}, {"reorient", reorient}});
+  if (!parts) return exit_input_output;
+  const auto machines = load_library(machine_folder(options.machines), options.skip_bad_machines);
+  if (!machines) return exit_input_output;
+  const auto dialects = dialect_names();
+  const auto job =
+      read_compare_job(std::move(*parts), {.machines = *machines, .dialects = dialects});
+  if (!job) return fail(job.error(), {});
+  const auto report = jobs::compare(*job);
+  if (!report) return fail(placed_in_request(report.error(), job->job, *machines), {});
+  TextOutput output{{}, std::cout, compare_json(*report, *machines) + '\n'};
+  if (!output.prepare() || !output.finish()) return exit_input_output;
+  const auto defects = defects_of(*report);
+  if (defects.empty()) return exit_ok;
+  std::cerr << "pentapost: " << defects << '\n';
+  return exit_defect;
 }
 
 ExitCode run(const MachinesOptions& options) {

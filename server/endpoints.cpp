@@ -17,6 +17,8 @@ constexpr std::array job_forms{"application/json"sv, "text/plain"sv, "multipart/
 constexpr std::array table{
     Endpoint{"POST", "/post", post_program, program, job_forms},
     Endpoint{"POST", "/analyse", analyse_path, json, job_forms},
+    Endpoint{"POST", "/reorient", reorient_path, json, job_forms},
+    Endpoint{"POST", "/compare", compare_machines, json, job_forms},
     Endpoint{"GET", "/machines", get_machines, json},
     Endpoint{"GET", "/machines/{name}", get_machine, json},
     Endpoint{"GET", "/machines/{name}/versions/{version}", get_machine_version, json},

@@ -43,6 +43,8 @@ std::optional<std::vector<std::string>> match_path(std::string_view pattern, std
 // endpoints/*.cpp
 Result<Response> post_program(Call& call);
 Result<Response> analyse_path(Call& call);
+Result<Response> reorient_path(Call& call);
+Result<Response> compare_machines(Call& call);
 Result<Response> get_machines(Call& call);
 Result<Response> get_machine(Call& call);
 Result<Response> get_machine_version(Call& call);

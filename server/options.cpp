@@ -63,13 +63,17 @@ CLI::App* add_serve(CLI::App& app, ServeOptions& options) {
   return command;
 }
 
-void add_job(CLI::App& command, JobFileOptions& options) {
-  command.add_option("FILE", options.file,
-                     "CL file; -: standard input. Needed unless the job has its own path");
+void add_one_machine(CLI::App& command, JobFileOptions& options) {
   command
       .add_option("--machine", options.machine,
                   "NAME or NAME@VERSION. Needed unless the job has it")
       ->envname("PENTAPOST_MACHINE");
+}
+
+/// All but the machine.
+void add_job(CLI::App& command, JobFileOptions& options) {
+  command.add_option("FILE", options.file,
+                     "CL file; -: standard input. Needed unless the job has its own path");
   add_machines(command, options.machines);
   add_skip(command, options.skip_bad_machines);
   command.add_option("--tip-mm", options.tip_mm,
@@ -86,6 +90,7 @@ CLI::App* add_post(CLI::App& app, PostFileOptions& options) {
   auto* const command =
       app.add_subcommand("post", "Post one CL file: NC program on stdout, report on stderr");
   add_job(*command, options);
+  add_one_machine(*command, options);
   command->add_option("--output", options.output, "tcp or axes [default: as the machine]");
   command->add_option("--dialect", options.dialect, "Controller dialect [default: as the machine]");
   command->add_option("--program-name", options.program_name,
@@ -103,6 +108,7 @@ CLI::App* add_analyse(CLI::App& app, AnalyseFileOptions& options) {
       "Analyse one CL file, or NC program, on a machine: singular zones, axis speeds, times, as "
       "JSON");
   add_job(*command, options);
+  add_one_machine(*command, options);
   command->add_option("--zone-share", options.zone_share,
                       "Share of a speed limit from which a stretch is a zone [default: 1]");
   auto* const nc =
@@ -111,6 +117,36 @@ CLI::App* add_analyse(CLI::App& app, AnalyseFileOptions& options) {
       ->add_option("--nc-dialect", options.nc_dialect,
                    "Controller dialect of the NC program [default: as the machine]")
       ->needs(nc);
+  return command;
+}
+
+CLI::App* add_reorient(CLI::App& app, ReorientFileOptions& options) {
+  auto* const command = app.add_subcommand(
+      "reorient", "Find how to clamp the part so that singularities are out of the way, as JSON");
+  add_job(*command, options);
+  add_one_machine(*command, options);
+  command->add_option("--objective", options.objective,
+                      "peak_ratio, time or rotary_travel [default: peak_ratio]");
+  command->add_option("--max-tilt-deg", options.max_tilt_deg,
+                      "Largest tilt of the part, at most 180 [default: 30]");
+  command->add_option("--setup-accuracy-deg", options.setup_accuracy_deg,
+                      "How exactly the part can be clamped, at most 5 [default: 0.02]");
+  return command;
+}
+
+CLI::App* add_compare(CLI::App& app, CompareFileOptions& options) {
+  auto* const command = app.add_subcommand(
+      "compare", "Compare machines for one CL file: possible or why not, times, limits, as JSON");
+  add_job(*command, options);
+  command
+      ->add_option("--machine", options.compared,
+                   "NAME or NAME@VERSION, several with commas between [default: as the job, else "
+                   "all]")
+      ->delimiter(',');
+  command->add_option("--zone-share", options.zone_share,
+                      "Share of a speed limit from which a stretch is a zone [default: 1]");
+  command->add_flag("--reorient", options.reorient,
+                    "Find the best setup on each machine too [default: off, or as the job]");
   return command;
 }
 
@@ -131,10 +167,14 @@ std::variant<Command, ExitCode> read_options(int argument_count, const char* con
   ServeOptions serve;
   PostFileOptions post;
   AnalyseFileOptions analyse;
+  ReorientFileOptions reorient;
+  CompareFileOptions compare;
   MachinesOptions machines;
   const auto* const serve_command = add_serve(app, serve);
   const auto* const post_command = add_post(app, post);
   const auto* const analyse_command = add_analyse(app, analyse);
+  const auto* const reorient_command = add_reorient(app, reorient);
+  const auto* const compare_command = add_compare(app, compare);
   auto* const machines_command = app.add_subcommand("machines", "List the machines");
   add_machines(*machines_command, machines.machines);
   const auto* const dialects_command =
@@ -154,6 +194,8 @@ std::variant<Command, ExitCode> read_options(int argument_count, const char* con
   if (serve_command->parsed()) return Command{serve};
   if (post_command->parsed()) return Command{post};
   if (analyse_command->parsed()) return Command{analyse};
+  if (reorient_command->parsed()) return Command{reorient};
+  if (compare_command->parsed()) return Command{compare};
   if (machines_command->parsed()) return Command{machines};
   if (dialects_command->parsed()) return Command{DialectsOptions{}};
   return Command{VersionOptions{}};

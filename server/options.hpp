@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace pentapost::server {
 
@@ -49,14 +50,24 @@ struct AnalyseFileOptions : JobFileOptions {
   bool nc = false;  ///< the file is an NC program
 };
 
+struct ReorientFileOptions : JobFileOptions {
+  std::optional<std::string> objective = {}, max_tilt_deg = {}, setup_accuracy_deg = {};
+};
+
+struct CompareFileOptions : JobFileOptions {
+  std::vector<std::string> compared = {};  ///< NAME or NAME@VERSION; empty: all, or as the job
+  std::optional<std::string> zone_share = {};
+  bool reorient = false;
+};
+
 struct MachinesOptions {
   std::string machines = {};
 };
 struct DialectsOptions {};
 struct VersionOptions {};
 
-using Command = std::variant<ServeOptions, PostFileOptions, AnalyseFileOptions, MachinesOptions,
-                             DialectsOptions, VersionOptions>;
+using Command = std::variant<ServeOptions, PostFileOptions, AnalyseFileOptions, ReorientFileOptions,
+                             CompareFileOptions, MachinesOptions, DialectsOptions, VersionOptions>;
 
 /// Reads the command line and the PENTAPOST_... environment.
 ///

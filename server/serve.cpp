@@ -1,4 +1,5 @@
 #include "pentapost/jobs/post.hpp"
+#include "pentapost/jobs/reorient.hpp"
 #include "server/app.hpp"
 #include "server/commands.hpp"
 #include "server/http/transport.hpp"
@@ -65,6 +66,8 @@ ExitCode run(const ServeOptions& options) {
   App app{{.machines = std::move(*machines),
            .post = jobs::post,
            .analyse = jobs::analyse,
+           .reorient = jobs::reorient,
+           .compare = jobs::compare,
            .next_request_id = random_request_ids()},
           {.running_jobs = running_jobs(options.threads), .waiting_jobs = options.queue}};
   TransportLimits limits;

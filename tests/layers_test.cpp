@@ -71,12 +71,16 @@ const std::map<std::string, Names, std::less<>> lib_layers{
     {"machine", {"core"}},
     {"json", {"core", "machine"}},
     {"cl", {"core", "path"}},
+    {"clearance", {"core", "path", "machine"}},
     {"kinematics", {"core", "path", "machine"}},
     {"plan", {"core", "path", "machine", "kinematics"}},
     {"nc", {"core", "path", "machine"}},
     {"verify", {"core", "path", "machine", "kinematics", "nc"}},
     {"analysis", {"core", "path", "machine", "kinematics", "plan"}},
-    {"jobs", {"core", "path", "machine", "cl", "kinematics", "plan", "analysis", "nc", "verify"}},
+    {"reorient", {"core", "path", "kinematics", "plan", "analysis"}},
+    {"jobs",
+     {"core", "path", "machine", "clearance", "cl", "kinematics", "plan", "analysis", "reorient",
+      "nc", "verify"}},
 };
 
 // Third-party header -> the places that may include it; "/" at the end: a folder, .cpp only.
@@ -88,6 +92,7 @@ const std::map<std::string, std::vector<std::string>, std::less<>> third_party{
     {"<CLI/", {"server/options.cpp"}},
     {"<fast_float/", {"lib/pentapost/core/"}},
     {"<openssl/", {"lib/pentapost/core/"}},
+    {"<ccd/", {"lib/pentapost/clearance/"}},
 };
 
 bool in_place(std::string_view file, const std::string& place) {

@@ -8,7 +8,7 @@
 namespace pentapost::server {
 namespace {
 
-/// The parts of a job from a web form: machine, cl, nc, job.
+/// The parts of a job from a web form: machine, machines, cl, nc, job.
 Result<JobParts> parts_of_form(const Request& request) {
   const auto fields = read_form(*find_field(request.headers, "content-type"), request.body);
   if (!fields) return fields.error();
@@ -26,11 +26,11 @@ Result<JobParts> parts_of_form(const Request& request) {
     if (part != nullptr) {
       part->emplace(content);
       if (name == "cl") parts.cl_file_name = file_name;
-    } else if (name == "machine") {
+    } else if (name == "machine" || name == "machines") {
       parts.words.emplace_back(name, content);
     } else {
       return Problem{.code = Code::unknown_key,
-                     .message = "the form has a field other than machine, cl, nc and job",
+                     .message = "the form has a field other than machine, machines, cl, nc and job",
                      .pointer = pointer_to_key(name)};
     }
   }

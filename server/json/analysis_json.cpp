@@ -1,5 +1,6 @@
 #include "server/json/analysis_json.hpp"
 
+#include "server/json/demand_json.hpp"
 #include "server/json/json_writer.hpp"
 #include "server/json/problem_json.hpp"
 #include "server/json/report_head_json.hpp"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <string_view>
-#include <vector>
 
 namespace pentapost::server {
 namespace {
@@ -70,22 +70,7 @@ void write_axes(JsonWriter& writer, const jobs::AnalyseReport& report) {
   writer.key("axes").begin_object();
   for (const auto& axis : report.axes) {
     writer.key(axis.name).begin_object();
-    const auto number = [&](std::string_view name, std::string_view per,
-                            const std::optional<double>& value) {
-      if (value) writer.key(in_unit(axis.rotary, name, per)).number(*value);
-    };
-    if (axis.span) {
-      number("min", "", axis.span->lower);
-      number("max", "", axis.span->upper);
-    }
-    number("peak", "_s", axis.peak_speed);
-    number("asked", "_s", axis.asked_speed);
-    if (axis.amplification) writer.key("amplification").number(*axis.amplification);
-    number("limit", "_s", axis.speed_limit);
-    number("peak", "_s2", axis.peak_acceleration);
-    number("limit", "_s2", axis.acceleration_limit);
-    if (axis.peak_ratio) writer.key("peak_ratio").number(*axis.peak_ratio);
-    if (axis.peak_at) write_place(writer.key("peak_at"), place_keys(report), *axis.peak_at);
+    write_demand(writer, place_keys(report), axis);
     writer.end_object();
   }
   writer.end_object();
@@ -103,35 +88,6 @@ void write_repositionings(JsonWriter& writer, const jobs::AnalyseReport& report)
   }
   writer.end_array();
   writer.key("repositionings_total").integer(all.size());
-}
-
-void write_singular_directions(JsonWriter& writer, const jobs::AnalyseReport& report) {
-  writer.key("singular_directions").begin_array();
-  for (const auto& each : report.singular_directions) {
-    writer.begin_object();
-    writer.key("kind").string(singularity_name(each.kind));
-    write_vector(writer.key("direction"), each.direction);
-    writer.key("half_angle_deg").number(each.half_angle_deg);
-    writer.end_object();
-  }
-  writer.end_array();
-}
-
-void write_numbers(JsonWriter& writer, const std::vector<double>& numbers) {
-  writer.begin_array();
-  for (const double number : numbers) writer.number(number);
-  writer.end_array();
-}
-
-void write_numbers(JsonWriter& writer, const std::vector<std::optional<double>>& numbers) {
-  writer.begin_array();
-  for (const auto& number : numbers) {
-    if (number)
-      writer.number(*number);
-    else
-      writer.null();
-  }
-  writer.end_array();
 }
 
 void write_samples(JsonWriter& writer, const PlaceKeys& keys, const jobs::SampleColumns& samples) {
@@ -180,7 +136,7 @@ std::string analysis_json(const jobs::AnalyseReport& report) {
   write_zones(writer, "zones", keys, report.zones);
   write_zones(writer, "over_demands", keys, report.over_demands);
   write_repositionings(writer, report);
-  write_singular_directions(writer, report);
+  write_singular_directions(writer, report.singular_directions);
   if (report.samples) write_samples(writer, keys, *report.samples);
   write_diagnostics(writer, report.diagnostics);
   writer.end_object();

@@ -1,10 +1,12 @@
 #include "server/json/job_json.hpp"
 
 #include "pentapost/core/number_text.hpp"
-#include "pentapost/json/definition_json.hpp"
 #include "pentapost/json/strict_reader.hpp"
 #include "server/json/job_source.hpp"
+#include "server/json/machine_choice.hpp"
 #include "server/json/name_text.hpp"
+#include "server/json/point_path_json.hpp"
+#include "server/json/reorient_options_json.hpp"
 
 #include <algorithm>
 #include <array>
@@ -34,11 +36,36 @@ constexpr auto setup_angle_domain =
     Domain::between(-jobs::largest_setup_angle_deg, jobs::largest_setup_angle_deg);
 
 constexpr std::size_t default_samples = 2000;
-// Keys of POST /analyse alone.
 constexpr auto zone_share_key = "zone_share"sv, nc_dialect_key = "nc_dialect"sv;
-constexpr std::array analysis_words{zone_share_key, nc_dialect_key};
 
-enum class Operation { post, analyse };
+enum class Operation { post, analyse, reorient, compare };
+
+/// The words that an operation has for itself.
+constexpr std::array analysis_words{zone_share_key, nc_dialect_key};
+constexpr std::array compare_words{zone_share_key, "machines"sv, "reorient"sv};
+struct OwnWords {
+  Operation operation;
+  std::span<const std::string_view> words;
+};
+constexpr std::array own_words{OwnWords{Operation::analyse, analysis_words},
+                               OwnWords{Operation::reorient, reorient_words},
+                               OwnWords{Operation::compare, compare_words}};
+
+std::vector<std::string_view> words_of_others(Operation operation) {
+  std::vector<std::string_view> others;
+  for (const auto& [owner, words] : own_words)
+    if (owner != operation) others.insert(others.end(), words.begin(), words.end());
+  for (const auto& [owner, words] : own_words)
+    if (owner == operation)
+      std::erase_if(others, [&words = words](std::string_view other) {
+        return std::ranges::find(words, other) != words.end();
+      });
+  return others;
+}
+
+struct PlainJob {
+  jobs::PostJob job;
+};
 
 /// Reads one job. The first failure is kept; readers go on with defaults after it.
 class JobReader {
@@ -51,25 +78,29 @@ class JobReader {
         context_{context},
         operation_{operation} {}
 
-  /// What the operation has no key for keeps its default.
-  Result<jobs::AnalyseJob> read();
+  /// @param Job  holds a PostJob as `job`, and what the operation has beside it.
+  template <class Job>
+  Result<Job> read();
 
  private:
-  std::optional<machine::Definition> machine_of(const Object& job);
   std::optional<std::string> dialect(std::string_view name, const std::optional<Object>& object);
   bool takes_nc() const { return operation_ == Operation::analyse; }
   bool has_nc(const Object& job) const { return parts_.nc || (takes_nc() && job.has("nc")); }
-  void read_nc(const Object& job, jobs::AnalyseJob& result);
+  void read_source(const Object& job, jobs::PostJob& result, std::optional<jobs::NcProgram>* nc);
+  void read_nc(const Object& job, std::optional<jobs::NcProgram>& result);
   void read_path(const Object& job, jobs::PostJob& result);
   void read_cl(const Object& job, jobs::PostJob& result);
-  void read_points(const Object& path, jobs::PostJob& result);
   void read_setup(const Object& job, jobs::Setup& setup);
   void read_tools(const Object& job, jobs::PostJob& result);
   void read_tolerances(const Object& job, jobs::Tolerances& tolerances);
   void read_post(const Object& job, jobs::PostOptions& post);
   void read_prefer(const Object& prefer, jobs::PostOptions& post);
-  void read_limits(const Object& job, jobs::PostJob& result);
-  void read_analysis(const Object& job, jobs::AnalyseJob& result);
+  void read_limits(const Object& job, std::span<const machine::Definition> machines,
+                   jobs::PostJob& result);
+  void read_own(const Object&, PlainJob&) {}
+  void read_own(const Object& job, jobs::AnalyseJob& result);
+  void read_own(const Object& job, jobs::ReorientJob& result);
+  void read_own(const Object& job, jobs::CompareJob& result);
 
   json::Document& document_;
   JobSource source_;
@@ -89,33 +120,28 @@ std::optional<std::string> JobReader::dialect(std::string_view name,
   return found;
 }
 
-std::optional<machine::Definition> JobReader::machine_of(const Object& job) {
-  std::optional<std::string> name;
-  if (const auto* found = source_.word("machine", job, "machine")) {
-    name = *found;
-  } else {
-    const auto inline_or_name = job.value("machine");
-    if (inline_or_name.is_object()) {
-      auto definition = json::definition_from_text(inline_or_name.object().text_in(*parts_.json),
-                                                   context_.dialects, "/machine");
-      if (definition) return std::move(definition).value();
-      source_.fail(std::move(definition).error());
-      return std::nullopt;
-    }
-    if (document_.problem()) return std::nullopt;
-    if (!inline_or_name.is_string())
-      inline_or_name.fail(Code::wrong_type,
-                          "expected a string, name or name@version, or an object, a definition");
-    name = inline_or_name.string();
-  }
-  if (document_.problem()) return std::nullopt;
-  const auto entry = find_machine(context_.machines, *name);
-  if (entry) return (*entry)->definition;
-  source_.fail(entry.error().code, "/machine", entry.error().message);
-  return std::nullopt;
+std::optional<jobs::NcProgram>* nc_of(jobs::AnalyseJob& job) { return &job.nc; }
+template <class Job>
+std::optional<jobs::NcProgram>* nc_of(Job&) {
+  return nullptr;
 }
 
-void JobReader::read_nc(const Object& job, jobs::AnalyseJob& result) {
+/// @param nc  nullptr: the operation takes none.
+void JobReader::read_source(const Object& job, jobs::PostJob& result,
+                            std::optional<jobs::NcProgram>* nc) {
+  if (nc != nullptr)
+    for (const auto key : {"nc"sv, nc_dialect_key}) job.optional_value(key);
+  else if (parts_.nc)
+    source_.fail(Code::unknown_key, "/nc", "an NC program is a path of /analyse alone");
+  if (nc != nullptr && has_nc(job)) return read_nc(job, *nc);
+  read_path(job, result);
+  const bool has_nc_dialect =
+      job.has(nc_dialect_key) || find_field(parts_.words, nc_dialect_key) != nullptr;
+  if (nc != nullptr && has_nc_dialect)
+    source_.fail(Code::conflicting_keys, "/nc_dialect", "it belongs to nc, and the job has none");
+}
+
+void JobReader::read_nc(const Object& job, std::optional<jobs::NcProgram>& result) {
   const auto exclude = [&](std::string_view key, bool is_given) {
     if (is_given)
       source_.fail(Code::conflicting_keys, std::string{"/"}.append(key),
@@ -126,8 +152,8 @@ void JobReader::read_nc(const Object& job, jobs::AnalyseJob& result) {
     exclude(key, job.optional_value(key) || find_field(parts_.words, key) != nullptr);
   if (parts_.nc && job.has("nc"))
     return source_.fail(Code::conflicting_keys, "/nc", "it stands in the job and beside it");
-  result.nc = jobs::NcProgram{.text = {}, .dialect = dialect(nc_dialect_key, job)};
-  if (!parts_.nc) result.nc->text = job.take_string("nc");
+  result = jobs::NcProgram{.text = {}, .dialect = dialect(nc_dialect_key, job)};
+  if (!parts_.nc) result->text = job.take_string("nc");
 }
 
 void JobReader::read_path(const Object& job, jobs::PostJob& result) {
@@ -147,7 +173,8 @@ void JobReader::read_path(const Object& job, jobs::PostJob& result) {
     }
     if (find_field(parts_.words, "cl_units") != nullptr)
       source_.fail(Code::conflicting_keys, "/cl_units", "it belongs to cl, and the job has path");
-    return read_points(*path, result);
+    result.path = read_point_path(*path);
+    return;
   }
   read_cl(job, result);
 }
@@ -159,27 +186,6 @@ void JobReader::read_cl(const Object& job, jobs::PostJob& result) {
   cl.dialect = job.optional_string("cl_dialect");
   if (!parts_.cl && job.has("cl")) cl.text = job.take_string("cl");
   result.path = std::move(cl);
-}
-
-void JobReader::read_points(const Object& path, jobs::PostJob& result) {
-  jobs::PointPath points;
-  points.feed_mm_min = path.number("feed_mm_min", Domain::positive());
-  const auto rows = path.array("points");
-  path.finish();
-  if (document_.problem()) return;
-  if (rows.size() == 0) return rows.fail(Code::no_motion, "there is no point");
-  points.tip_mm.reserve(rows.size());
-  points.axis.reserve(rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto row = rows.at(i);
-    const auto numbers = row.array().numbers(6);
-    if (document_.problem()) return;
-    points.tip_mm.emplace_back(numbers[0], numbers[1], numbers[2]);
-    points.axis.emplace_back(numbers[3], numbers[4], numbers[5]);
-    if (points.axis.back().isZero(0.0))
-      return row.fail(Code::zero_tool_axis, "the tool axis is 0, 0, 0");
-  }
-  result.path = std::move(points);
 }
 
 void JobReader::read_setup(const Object& job, jobs::Setup& setup) {
@@ -250,23 +256,29 @@ void JobReader::read_post(const Object& job, jobs::PostOptions& post) {
   object->finish();
 }
 
-/// The joint of that name; nullptr: the chain has none.
-const machine::Joint* find_joint(const machine::Chain& chain, std::string_view name) {
-  for (const auto joints : {chain.table(), chain.head()}) {
-    const auto joint = std::ranges::find(joints, name, &machine::Joint::name);
-    if (joint != joints.end()) return &*joint;
+/// The first joint of that name; nullptr: no machine has one.
+const machine::Joint* find_joint(std::span<const machine::Definition> machines,
+                                 std::string_view name) {
+  for (const auto& machine : machines) {
+    for (const auto joints : {machine.chain.table(), machine.chain.head()}) {
+      const auto joint = std::ranges::find(joints, name, &machine::Joint::name);
+      if (joint != joints.end()) return &*joint;
+    }
   }
   return nullptr;
 }
 
-void JobReader::read_limits(const Object& job, jobs::PostJob& result) {
+void JobReader::read_limits(const Object& job, std::span<const machine::Definition> machines,
+                            jobs::PostJob& result) {
   const auto limits = job.optional_object("limits");
   if (!limits) return;
   for (const auto& name : limits->keys()) {
     const auto object = limits->object(name);
-    const auto* const joint = find_joint(result.machine.chain, name);
+    const auto* const joint = find_joint(machines, name);
     if (joint == nullptr)
-      return limits->fail_at(name, Code::out_of_domain, "the machine has no axis of that name");
+      return limits->fail_at(name, Code::out_of_domain,
+                             machines.size() == 1 ? "the machine has no axis of that name"
+                                                  : "no machine has an axis of that name");
     const std::string unit = joint->is_rotary() ? "deg" : "mm";
     const double factor = joint->is_rotary() ? rad_per_deg : 1.0;
     const auto limit = [&](const std::string& key) -> std::optional<double> {
@@ -282,7 +294,7 @@ void JobReader::read_limits(const Object& job, jobs::PostJob& result) {
   }
 }
 
-void JobReader::read_analysis(const Object& job, jobs::AnalyseJob& result) {
+void JobReader::read_own(const Object& job, jobs::AnalyseJob& result) {
   result.zone_share =
       source_.number(zone_share_key, job, Domain::positive()).value_or(result.zone_share);
   const bool wanted = job.optional_boolean("samples").value_or(false);
@@ -295,34 +307,42 @@ void JobReader::read_analysis(const Object& job, jobs::AnalyseJob& result) {
   if (wanted) result.samples = most ? static_cast<std::size_t>(*most) : default_samples;
 }
 
-Result<jobs::AnalyseJob> JobReader::read() {
+void JobReader::read_own(const Object& job, jobs::ReorientJob& result) {
+  read_reorient_bounds(source_, job, result);
+  read_reorient_answer(job, result);
+}
+
+void JobReader::read_own(const Object& job, jobs::CompareJob& result) {
+  result.zone_share =
+      source_.number(zone_share_key, job, Domain::positive()).value_or(result.zone_share);
+  result.reorient = read_reorient_choice(source_, job, result.job.machine);
+}
+
+void keep_machines(jobs::CompareJob& job, std::vector<machine::Definition> machines) {
+  job.machines = std::move(machines);
+}
+template <class Job>
+void keep_machines(Job&, const std::vector<machine::Definition>&) {}
+
+template <class Job>
+Result<Job> JobReader::read() {
   const auto job = document_.object();
   if (document_.problem()) return *document_.problem();
-  source_.check_words(operation_ == Operation::analyse ? std::span<const std::string_view>{}
-                                                       : analysis_words);
-  auto definition = machine_of(job);
+  source_.check_words(words_of_others(operation_));
+  const MachineChoice choice{source_, context_, parts_.json ? *parts_.json : std::string_view{}};
+  auto machines = operation_ == Operation::compare ? choice.several(job) : choice.one(job);
   if (auto first = source_.first_problem()) return *first;
 
-  jobs::AnalyseJob answer{.job = {.machine = std::move(*definition), .path = {}}};
+  Job answer{.job = {.machine = machines.front(), .path = {}}};
   jobs::PostJob& result = answer.job;
-  if (takes_nc())
-    for (const auto key : {"nc"sv, nc_dialect_key}) job.optional_value(key);
-  if (parts_.nc && !takes_nc())
-    source_.fail(Code::unknown_key, "/nc", "an NC program is a path of /analyse alone");
-  if (has_nc(job))
-    read_nc(job, answer);
-  else
-    read_path(job, result);
-  const bool has_nc_dialect =
-      job.has(nc_dialect_key) || find_field(parts_.words, nc_dialect_key) != nullptr;
-  if (takes_nc() && !has_nc(job) && has_nc_dialect)
-    source_.fail(Code::conflicting_keys, "/nc_dialect", "it belongs to nc, and the job has none");
+  read_source(job, result, nc_of(answer));
   read_setup(job, result.setup);
   read_tools(job, result);
   read_tolerances(job, result.tolerances);
   read_post(job, result.post);
-  read_limits(job, result);
-  if (operation_ == Operation::analyse) read_analysis(job, answer);
+  read_limits(job, machines, result);
+  keep_machines(answer, std::move(machines));
+  read_own(job, answer);
   job.finish();
   if (!parts_.cl && !job.has("cl") && !job.has("path") && !has_nc(job))
     source_.fail(Code::missing_key, "/cl",
@@ -332,14 +352,14 @@ Result<jobs::AnalyseJob> JobReader::read() {
   return answer;
 }
 
-Result<jobs::AnalyseJob> read_job(JobParts parts, const JobContext& context, Operation operation) {
+template <class Job>
+Result<Job> read_job(JobParts& parts, const JobContext& context, Operation operation) {
   auto document = json::Document::parse(parts.json ? *parts.json : "{}"sv);
   if (!document) return std::move(document).error();
-  auto answer = JobReader{*document, parts, context, operation}.read();
+  auto answer = JobReader{*document, parts, context, operation}.read<Job>();
   if (!answer) return answer;
   answer->job.post.default_program_name = file_stem(parts.cl_file_name);
   if (parts.cl) std::get<jobs::ClText>(answer->job.path).text = std::move(*parts.cl);
-  if (parts.nc) answer->nc->text = std::move(*parts.nc);
   return answer;
 }
 
@@ -355,46 +375,24 @@ std::string file_stem(std::string_view file_name) {
       file_name.substr(0, dot == 0 ? std::string_view::npos : dot).substr(0, longest)};
 }
 
-Problem placed_in_request(Problem problem, const jobs::PostJob& job,
-                          const machine::Library& machines) {
-  const auto* const entry = machines.find(job.machine.name, job.machine.version);
-  const bool named = entry != nullptr && entry->definition.sha256 == job.machine.sha256;
-  if (named && problem.pointer.starts_with("/machine/")) problem.pointer = "/machine";
-  return problem;
-}
-
-Problem missing_machine(const machine::Library& machines, std::string_view name,
-                        std::string_view version) {
-  if (machines.find(name) == nullptr) {
-    const auto near = machines.near_names(name);
-    const std::string hint = near.empty() ? "" : "; near: " + joined(near);
-    return Problem{.code = Code::unknown_machine,
-                   .message = "there is no machine " + quoted(name) + hint};
-  }
-  return Problem{.code = Code::unknown_version,
-                 .message = "there is no version " + quoted(version) + " of " + quoted(name) +
-                            "; there are: " + joined(machines.versions(name))};
-}
-
-Result<const machine::LibraryEntry*> find_machine(const machine::Library& machines,
-                                                  std::string_view name_and_version) {
-  const auto at = name_and_version.find('@');
-  const auto name = name_and_version.substr(0, at);
-  const bool newest = at == std::string_view::npos;
-  const auto version = newest ? std::string_view{} : name_and_version.substr(at + 1);
-  const auto* const entry = newest ? machines.find(name) : machines.find(name, version);
-  if (entry != nullptr) return entry;
-  return missing_machine(machines, name, version);
-}
-
 Result<jobs::PostJob> read_post_job(JobParts parts, const JobContext& context) {
-  auto answer = read_job(std::move(parts), context, Operation::post);
+  auto answer = read_job<PlainJob>(parts, context, Operation::post);
   if (!answer) return std::move(answer).error();
   return std::move(answer->job);
 }
 
 Result<jobs::AnalyseJob> read_analyse_job(JobParts parts, const JobContext& context) {
-  return read_job(std::move(parts), context, Operation::analyse);
+  auto answer = read_job<jobs::AnalyseJob>(parts, context, Operation::analyse);
+  if (answer && parts.nc) answer->nc->text = std::move(*parts.nc);
+  return answer;
+}
+
+Result<jobs::CompareJob> read_compare_job(JobParts parts, const JobContext& context) {
+  return read_job<jobs::CompareJob>(parts, context, Operation::compare);
+}
+
+Result<jobs::ReorientJob> read_reorient_job(JobParts parts, const JobContext& context) {
+  return read_job<jobs::ReorientJob>(parts, context, Operation::reorient);
 }
 
 }  // namespace pentapost::server

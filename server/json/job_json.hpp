@@ -2,9 +2,12 @@
 
 #include "pentapost/core/result.hpp"
 #include "pentapost/jobs/analyse.hpp"
+#include "pentapost/jobs/compare.hpp"
 #include "pentapost/jobs/post.hpp"
+#include "pentapost/jobs/reorient.hpp"
 #include "pentapost/machine/library.hpp"
 #include "server/http/message.hpp"
+#include "server/json/machine_names.hpp"
 
 #include <optional>
 #include <span>
@@ -25,8 +28,8 @@ struct JobParts {
   std::optional<std::string> cl = {};    ///< text of the CL file, where it came apart from the job
   std::string cl_file_name = {};         ///< of that file; empty: not known
   std::optional<std::string> nc = {};    ///< text of the NC program to analyse, likewise apart
-  /// machine, output, dialect, tip_mm, axis_deg, cl_units, program_name, zone_share, nc_dialect, as
-  /// text.
+  /// machine, output, dialect, tip_mm, axis_deg, cl_units, program_name, zone_share, nc_dialect,
+  /// objective, max_tilt_deg, setup_accuracy_deg, machines, reorient, as text.
   Fields words = {};
 };
 
@@ -42,24 +45,17 @@ Result<jobs::PostJob> read_post_job(JobParts parts, const JobContext& context);
 /// max_samples, and nc with nc_dialect in the place of cl and path.
 Result<jobs::AnalyseJob> read_analyse_job(JobParts parts, const JobContext& context);
 
+/// Reads a job for POST /reorient: as for POST /post, and the keys of reorient_options_json.hpp.
+Result<jobs::ReorientJob> read_reorient_job(JobParts parts, const JobContext& context);
+
+/// Reads a job for POST /compare: as for POST /post without machine, and the keys machines, of
+/// which all of the library are the default, zone_share and reorient.
+Result<jobs::CompareJob> read_compare_job(JobParts parts, const JobContext& context);
+
 /// The JSON pointer of a key of the job.
 std::string pointer_to_key(std::string_view key);
 
 /// "part" of "C:\\cam\\part.cls", for a program without a name of its own.
 std::string file_stem(std::string_view file_name);
-
-/// A Problem of `job` with its pointer into the request: a machine that was given by its
-/// name has no values there.
-Problem placed_in_request(Problem problem, const jobs::PostJob& job,
-                          const machine::Library& machines);
-
-/// Why the library has no such entry: unknown_machine, with near names, or unknown_version, with
-/// the versions that there are.
-Problem missing_machine(const machine::Library& machines, std::string_view name,
-                        std::string_view version);
-
-/// The machine of that name or name@version, or the Problem of missing_machine().
-Result<const machine::LibraryEntry*> find_machine(const machine::Library& machines,
-                                                  std::string_view name_and_version);
 
 }  // namespace pentapost::server

@@ -28,6 +28,11 @@ constexpr std::array word_rows{
     WordRow{"program_name", "/post/program_name"},
     WordRow{"zone_share", "/zone_share"},
     WordRow{"nc_dialect", "/nc_dialect"},
+    WordRow{"objective", "/objective"},
+    WordRow{"max_tilt_deg", "/max_tilt_deg"},
+    WordRow{"setup_accuracy_deg", "/setup_accuracy_deg"},
+    WordRow{"machines", "/machines"},
+    WordRow{"reorient", "/reorient"},
 };
 
 }  // namespace
@@ -92,10 +97,12 @@ std::optional<double> JobSource::number(std::string_view name, const std::option
   if (found == nullptr) return object ? object->optional_number(name, domain) : std::nullopt;
   const auto number = parse_number(*found);
   if (!number || number->length != found->size() || !domain.contains(number->value)) {
+    const std::string above = domain.lower_open ? "above " : "of at least ";
     const std::string bound =
         std::isfinite(domain.upper) ? " and of at most " + number_text(domain.upper) : "";
     fail(Code::out_of_domain, word_pointer(name),
-         "found " + quoted(*found) + ", expected a number above 0" + bound);
+         "found " + quoted(*found) + ", expected a number " + above + number_text(domain.lower) +
+             bound);
     return std::nullopt;
   }
   return number->value;

@@ -31,7 +31,7 @@ class JobSource {
   std::optional<std::size_t> choice(std::string_view name,
                                     const std::optional<json::Object>& object, std::string_view key,
                                     std::span<const std::string_view> words);
-  /// A number above 0.
+  /// A number of a domain with a lower end.
   std::optional<double> number(std::string_view name, const std::optional<json::Object>& object,
                                const json::Domain& domain);
   std::optional<std::string> text(std::string_view name, const std::optional<json::Object>& object);

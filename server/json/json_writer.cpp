@@ -148,4 +148,23 @@ JsonWriter& JsonWriter::raw(std::string_view json) {
   return *this;
 }
 
+void write_number(JsonWriter& writer, const std::optional<double>& number) {
+  if (number)
+    writer.number(*number);
+  else
+    writer.null();
+}
+
+void write_numbers(JsonWriter& writer, const std::vector<double>& numbers) {
+  writer.begin_array();
+  for (const double number : numbers) writer.number(number);
+  writer.end_array();
+}
+
+void write_numbers(JsonWriter& writer, const std::vector<std::optional<double>>& numbers) {
+  writer.begin_array();
+  for (const auto& number : numbers) write_number(writer, number);
+  writer.end_array();
+}
+
 }  // namespace pentapost::server

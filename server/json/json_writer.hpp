@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pentapost::server {
 
@@ -36,5 +38,10 @@ class JsonWriter {
   std::string& out_;
   bool needs_comma_ = false;
 };
+
+/// The number; null: there is none.
+void write_number(JsonWriter& writer, const std::optional<double>& number);
+void write_numbers(JsonWriter& writer, const std::vector<double>& numbers);
+void write_numbers(JsonWriter& writer, const std::vector<std::optional<double>>& numbers);
 
 }  // namespace pentapost::server

@@ -15,10 +15,7 @@ void write_axes(JsonWriter& writer, const jobs::PostReport& report) {
     writer.key("unit").string(axis.rotary ? "deg" : "mm");
     writer.key("min").number(axis.min);
     writer.key("max").number(axis.max);
-    if (axis.range) {
-      writer.key("range").begin_array();
-      writer.number(axis.range->lower).number(axis.range->upper).end_array();
-    }
+    if (axis.range) write_range(writer.key("range"), *axis.range);
     if (axis.speed_limit) writer.key("speed_limit").number(*axis.speed_limit);
     writer.end_object();
   }

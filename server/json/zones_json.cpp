@@ -35,6 +35,10 @@ void write_vector(JsonWriter& writer, const Vec3& vector) {
   writer.end_array();
 }
 
+void write_range(JsonWriter& writer, const Range<double>& range) {
+  writer.begin_array().number(range.lower).number(range.upper).end_array();
+}
+
 void write_place(JsonWriter& writer, const PlaceKeys& keys, const jobs::PathPlace& place) {
   writer.begin_object();
   writer.key(keys.point).integer(place.point);

@@ -21,6 +21,7 @@ std::string_view singularity_name(kinematics::SingularityKind kind);
 std::string in_unit(bool rotary, std::string_view name, std::string_view per = "");
 
 void write_vector(JsonWriter& writer, const Vec3& vector);
+void write_range(JsonWriter& writer, const Range<double>& range);
 void write_place(JsonWriter& writer, const PlaceKeys& keys, const jobs::PathPlace& place);
 /// Zones below their key, and their number.
 void write_zones(JsonWriter& writer, std::string_view key, const PlaceKeys& keys,

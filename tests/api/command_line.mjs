@@ -72,6 +72,33 @@ test("analyse writes the analysis to stdout", () => {
   assert.deepEqual(zones, []);
 });
 
+test("reorient writes the setups to stdout, the same bytes every time", () => {
+  const words = ["reorient", path.join(root, "tests/data/papers/cripps-2017-original.cl"), "--machine", "hermle-c600u",
+    "--objective", "time", "--max-tilt-deg", "10", "--setup-accuracy-deg", "0.1"];
+  const { code, out, err } = run(...words);
+  assert.deepEqual([code, err], [0, ""]);
+  const { objective, best } = JSON.parse(out);
+  assert.equal(objective, "time");
+  assert.ok(best.tilt_deg <= 10);
+  assert.equal(out, run(...words).out);
+});
+
+test("compare writes the machines to stdout, all or those named", () => {
+  const { code, out, err } = run("compare", good);
+  assert.deepEqual([code, err], [0, ""]);
+  assert.equal(JSON.parse(out).machines.length, fs.readdirSync(path.join(root, "machines"), { withFileTypes: true })
+    .filter((entry) => entry.isDirectory()).length);
+  const two = run("compare", good, "--machine", "generic-3axis,hermle-c600u@1.0.0");
+  assert.deepEqual(JSON.parse(two.out).machines.map(({ name }) => name).sort(), ["generic-3axis", "hermle-c600u"]);
+  assert.equal(two.out, run("compare", good, "--machine", "generic-3axis", "--machine", "hermle-c600u@1.0.0").out);
+});
+
+test("compare answers a path that no machine can follow", () => {
+  const { code, out } = run("compare", below, "--machine", "generic-3axis");
+  assert.equal(code, 0);
+  assert.equal(JSON.parse(out).machines[0].problem.code, "out_of_reach");
+});
+
 test("post answers the same bytes every time", () => {
   const first = run("post", good, "--machine", "hermle-c600u");
   assert.equal(first.out, run("post", good, "--machine", "hermle-c600u").out);
@@ -82,7 +109,7 @@ for (const [title, words, expected, text] of [
   ["an unknown option", ["post", good, "--tip", "1"], 1, /--tip/],
   ["an unusable port", ["serve", "--port", "70000"], 1, /70000/],
   ["a damaged CL file", ["post", damaged, "--machine", "generic-3axis"], 2, /"cl_line":3/],
-  ["an unknown command", ["foo"], 1, /foo[^]*serve, post, analyse, machines, dialects, version/],
+  ["an unknown command", ["foo"], 1, /foo[^]*serve, post, analyse, reorient, compare, machines, dialects, version/],
   ["no machine", ["post", good], 1, /--machine/],
   ["no file", ["post", "--machine", "generic-3axis"], 1, /give FILE or -/],
   ["a job and no path", ["post", "--machine", "generic-3axis", "--job", empty], 2, /missing_key/],
@@ -104,6 +131,12 @@ for (const [title, words, expected, text] of [
     /options\/tcp_on: option tcp_on: \{foo\}/],
   ["a share of 0", ["analyse", good, "--machine", "generic-3axis", "--zone-share", "0"], 2, /"pointer":"\/zone_share"/],
   ["an analysis without a machine", ["analyse", good], 1, /pentapost analyse: give --machine/],
+  ["a tilt of 0", ["reorient", good, "--machine", "hermle-c600u", "--max-tilt-deg", "0"], 2, /"pointer":"\/max_tilt_deg"/],
+  ["an unknown objective", ["reorient", good, "--machine", "hermle-c600u", "--objective", "speed"], 2, /peak_ratio, time, rotary_travel/],
+  ["a reorientation without a machine", ["reorient", good], 1, /pentapost reorient: give --machine/],
+  ["an unknown machine to compare", ["compare", good, "--machine", "generic-3axis,herml"], 2, /"pointer":"\/machines\/1"/],
+  ["a comparison without a file", ["compare"], 1, /pentapost compare: give FILE/],
+  ["a comparison of a damaged CL file", ["compare", damaged], 2, /"cl_line":3/],
   ["an analysis out of reach", ["analyse", below, "--machine", "generic-3axis"], 3, /out_of_reach/],
   ["an unknown machine", ["post", good, "--machine", "generic-3axs"], 2, /generic-3axis/],
   ["a bad tolerance", ["post", good, "--machine", "generic-3axis", "--tip-mm", "0"], 2, /tolerances\/tip_mm/],
@@ -185,7 +218,7 @@ test("the other commands answer", () => {
   assert.match(run("dialects").out, /^fanuc-30i\t/m);
   assert.match(run("version").out, /^pentapost \d+\.\d+\.\d+\n$/);
   assert.match(run("serve", "--check").out, /^\d+ machines in /);
-  for (const command of ["serve", "post", "analyse", "machines", "dialects", "version"]) {
+  for (const command of ["serve", "post", "analyse", "reorient", "compare", "machines", "dialects", "version"]) {
     const { code, out } = run(command, "--help");
     assert.equal(code, 0);
     assert.match(out, /Usage: pentapost/);

@@ -6,7 +6,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { Contract } from "./contract_document.mjs";
-import { blockOf, holdShown, readmeCommands, realFileRows } from "./readme_commands.mjs";
+import { blockOf, comparedRows, holdShown, readmeCommands, realFileRows, reorientedRows } from "./readme_commands.mjs";
 import { open, request, start } from "./running_server.mjs";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
@@ -180,6 +180,170 @@ async function checkAnalyse(port) {
   });
 }
 
+/// What POST /reorient refuses beside what POST /post does, and that its setup posts.
+async function checkReorient(port) {
+  const cl = "UNITS/MM\nFEDRAT/MMPM,600\nGOTO/0,0,0,0,0.6,0.8\nGOTO/9,0,0,0,0.8,0.6\n";
+  const query = { machine: "hermle-c600u" };
+  const refusals = [
+    ["an unknown objective", text({ ...query, objective: "speed" }, cl), 400, "out_of_domain", "/objective"],
+    ["a tilt of 0", text({ ...query, max_tilt_deg: "0" }, cl), 400, "out_of_domain", "/max_tilt_deg"],
+    ["an accuracy of 6 degrees", text({ ...query, setup_accuracy_deg: "6" }, cl), 400, "out_of_domain",
+      "/setup_accuracy_deg"],
+    ["a word of /analyse", text({ ...query, zone_share: "1" }, cl), 400, "unknown_key", "/zone_share"],
+    ["text for an answer", text(query, cl, { accept: "text/plain" }), 406, "not_acceptable", undefined],
+    ["another content type", text(query, cl, { "content-type": "application/xml" }), 415,
+      "unsupported_media_type", undefined],
+    ["an unknown machine", text({ machine: "hermle" }, cl), 404, "unknown_machine", "/machine"],
+    ["an NC program", job({ ...query, nc: "%" }), 400, "unknown_key", "/nc"],
+    ["an unknown key", job({ ...query, cl, max_tilt: 5 }), 400, "unknown_key", "/max_tilt"],
+    ["a candidate that is a number", job({ ...query, cl, candidates: [5] }), 400, "wrong_type", "/candidates/0"],
+    ["a step and a list", job({ ...query, cl, step_deg: 5, allowed_deg: { theta_z_deg: [0] } }), 400,
+      "conflicting_keys", "/allowed_deg/theta_z_deg"],
+    ["a reversed range", job({ ...query, cl, forbidden_deg: [{ theta_x_deg: [9, 1] }] }), 400, "out_of_domain",
+      "/forbidden_deg/0/theta_x_deg"],
+    ["bounds that are no box", job({ ...query, cl, origin_bounds_mm: { min: [0, 0, 1], max: [0, 0, 0] } }), 400,
+      "out_of_domain", "/origin_bounds_mm"],
+    ["a damaged CL file", text(query, "GOTO/0,0,x\n"), 400, "damaged_motion", undefined],
+  ];
+  for (const [title, wanted, status, code, pointer] of refusals) {
+    await check(`POST /reorient ${status} ${code}: ${title}`, async () => {
+      const { json } = await held(port, { ...wanted, path: "/reorient" }, status);
+      assert.deepEqual([json.code, json.pointer], [code, pointer]);
+    });
+  }
+  const words = { origin_bounds_mm: 5, candidates: 5, map: 5, step_deg: "5" };
+  for (const [key, value] of Object.entries(words)) {
+    await check(`POST /reorient 400 wrong_type: ${key}`, async () => {
+      const { json } = await held(port, job({ ...query, cl, [key]: value }, { path: "/reorient" }), 400);
+      assert.deepEqual([json.code, json.pointer], ["wrong_type", `/${key}`]);
+    });
+  }
+  const paper = { ...query, cl: fs.readFileSync(path.join(root, "tests/data/papers/cripps-2017-original.cl"), "utf8") };
+  const reoriented = async (more) => (await held(port, job({ ...paper, ...more }, { path: "/reorient" }), 200)).json;
+  // Cripps et al. 2017, section 3.3: 18.2 rpm where the part is turned by 10 degrees.
+  await check("POST /reorient: best is no worse than the turn of the paper", async () => {
+    const { best, candidates: [chosen] } = await reoriented({ max_tilt_deg: 10, setup_accuracy_deg: 0, map: false,
+      candidates: [{ theta_x_deg: -10 }] });
+    assert.ok(Math.abs(chosen.peak.deg_s / 6 - 18.2) < 0.05, `${chosen.peak.deg_s} deg/s`);
+    assert.ok(best.peak_ratio <= chosen.peak_ratio && best.tilt_deg <= 10, `${best.peak_ratio}`);
+  });
+  await check("POST /reorient: what it answers as setup is posted unchanged, and proves", async () => {
+    const answer = await reoriented({ map: { step_deg: 30 } });
+    for (const { setup } of [answer.best, answer.smallest_tilt, answer.baseline]) {
+      const { report } = (await held(port, job({ ...paper, setup }), 200)).json;
+      assert.equal(report.verification.passed, true);
+    }
+    const { report } = (await held(port, job({ ...paper, setup: answer.best.setup }), 200)).json;
+    assert.deepEqual(report.zones, []);
+    assert.ok(Math.abs(report.predicted_time_s - answer.best.predicted_time_s) < 1e-3);
+  });
+  await check("POST /reorient: the map has a row for each tilt", async () => {
+    const { map } = await reoriented({ max_tilt_deg: 20, map: { step_deg: 10 } });
+    assert.equal(map.value.length, map.theta_x_deg.length);
+    for (const row of map.value) assert.equal(row.length, map.theta_z_deg.length);
+  });
+}
+
+/// POST /compare: what it refuses as a whole, and what is one machine's row alone.
+async function checkCompare(port) {
+  const cl = "UNITS/MM\nFEDRAT/MMPM,600\nGOTO/0,0,0,0,0.6,0.8\nGOTO/9,0,0,0,0.8,0.6\n";
+  const machines = ["hermle-c600u", "generic-3axis"];
+  const refusals = [
+    ["a machine", job({ machine: "hermle-c600u", cl }), 400, "conflicting_keys", "/machine"],
+    ["a machine in the query", text({ machine: "hermle-c600u" }, cl), 400, "conflicting_keys", "/machine"],
+    ["no machine at all", job({ machines: [], cl }), 400, "out_of_domain", "/machines"],
+    ["201 machines", job({ machines: Array(201).fill("generic-3axis"), cl }), 400, "out_of_domain", "/machines"],
+    ["machines that are no list", job({ machines: "hermle-c600u", cl }), 400, "wrong_type", "/machines"],
+    ["a machine that is a number", job({ machines: [...machines, 5], cl }), 400, "wrong_type", "/machines/2"],
+    ["an unknown machine", job({ machines: [...machines, "hermle"], cl }), 404, "unknown_machine", "/machines/2"],
+    ["an unknown version", job({ machines: ["generic-3axis@9.9.9"], cl }), 404, "unknown_version", "/machines/0"],
+    ["an unknown machine in the query", text({ machines: "generic-3axis,hermle" }, cl), 404, "unknown_machine",
+      "/machines/1"],
+    ["no name after a comma", text({ machines: "generic-3axis," }, cl), 404, "unknown_machine", "/machines/1"],
+    ["a definition that is none", job({ machines: [...machines, { name: "x" }], cl }), 422, "definition_schema",
+      "/machines/2"],
+    ["two faults: the first", text({ machines: "a,b", reorient: "maybe" }, cl), 404, "unknown_machine", "/machines/0"],
+    ["a damaged CL file", job({ machines, cl: "GOTO/0,0,x\n" }), 400, "damaged_motion", undefined],
+    ["no motion", text({ machines: machines.join(",") }, "FINI\n"), 400, "no_motion", undefined],
+    ["no path", job({ machines }), 400, "missing_key", "/cl"],
+    ["an NC program", job({ machines, nc: "%" }), 400, "unknown_key", "/nc"],
+    ["a tolerance of 0", job({ machines, cl, tolerances: { tip_mm: 0 } }), 400, "out_of_domain", "/tolerances/tip_mm"],
+    ["a share of 0", text({ zone_share: "0" }, cl), 400, "out_of_domain", "/zone_share"],
+    ["a word of /reorient", text({ objective: "time" }, cl), 400, "unknown_key", "/objective"],
+    ["a word that is no truth", text({ reorient: "maybe" }, cl), 400, "out_of_domain", "/reorient"],
+    ["a tilt of 0", job({ machines, cl, reorient: { max_tilt_deg: 0 } }), 400, "out_of_domain",
+      "/reorient/max_tilt_deg"],
+    ["an unknown bound", job({ machines, cl, reorient: { tilt: 0 } }), 400, "unknown_key", "/reorient/tilt"],
+    ["a limit of an axis of no machine", job({ machines, cl, limits: { W: { max_speed_mm_s: 1 } } }), 400,
+      "out_of_domain", "/limits/W"],
+    ["an unknown dialect", job({ machines, cl, post: { dialect: "x" } }), 422, "unknown_dialect", "/post/dialect"],
+    ["text for an answer", text({}, cl, { accept: "text/plain" }), 406, "not_acceptable", undefined],
+    ["another content type", text({}, cl, { "content-type": "application/xml" }), 415, "unsupported_media_type",
+      undefined],
+  ];
+  for (const [title, wanted, status, code, pointer] of refusals) {
+    await check(`POST /compare ${status} ${code}: ${title}`, async () => {
+      const { json } = await held(port, { ...wanted, path: "/compare" }, status);
+      assert.deepEqual([json.code, json.pointer], [code, pointer]);
+    });
+  }
+  const compared = async (more) => (await held(port, job({ cl, ...more }, { path: "/compare" }), 200)).json;
+  await check("POST /compare: all machines where none are named", async () => {
+    const names = (await held(port, { path: "/machines" }, 200)).json.machines.map(({ name }) => name);
+    const answer = await compared({});
+    assert.deepEqual(answer.machines.map(({ name }) => name).sort(), names);
+    assert.deepEqual((await held(port, { ...text({}, cl), path: "/compare" }, 200)).json, answer);
+  });
+  await check("POST /compare: the figures of a row are those of POST /analyse", async () => {
+    const paper = fs.readFileSync(path.join(root, "tests/data/papers/cripps-2017-original.cl"), "utf8");
+    for (const row of (await compared({ cl: paper })).machines.filter(({ possible }) => possible)) {
+      const alone = (await held(port, job({ machine: row.name, cl: paper }, { path: "/analyse" }), 200)).json;
+      const { summary } = alone;
+      assert.equal(row.sha256, alone.machine.sha256);
+      for (const key of ["predicted_time_s", "programmed_time_s", "repositioning_time_s"])
+        assert.equal(row[key], summary[key], `${row.name} ${key}`);
+      assert.equal(row.peak_ratio, summary.peak_ratio ?? null);
+      assert.equal(row.closest_approach_deg, summary.closest_approach_deg ?? null);
+      assert.deepEqual([row.zones, row.over_demands], [alone.zones_total, alone.over_demands_total]);
+      if (row.peak) assert.equal(row.peak.deg_s ?? row.peak.mm_s,
+        alone.axes[row.peak.axis].peak_deg_s ?? alone.axes[row.peak.axis].peak_mm_s);
+    }
+  });
+  await check("POST /compare: one machine's failure leaves the other rows alone", async () => {
+    const broken = (await held(port, { path: "/machines/mazak-variaxis-630" }, 200)).json;
+    broken.controller.options = { decimals_mm: "three" };
+    const rows = (await compared({ machines: [...machines, broken] })).machines;
+    const [alone] = (await compared({ machines: ["hermle-c600u"] })).machines;
+    assert.deepEqual(rows.map(({ name, possible }) => [name, possible]),
+      [["hermle-c600u", true], ["generic-3axis", false], ["mazak-variaxis-630", false]]);
+    assert.deepEqual(rows[0], alone);
+    assert.deepEqual([rows[1].problem.code, rows[1].problem.cl_line], ["out_of_reach", 3]);
+    assert.deepEqual([rows[2].problem.code, rows[2].problem.pointer],
+      ["bad_option", "/machines/2/controller/options/decimals_mm"]);
+  });
+  await check("POST /compare: the three forms are answered alike", async () => {
+    const answer = await compared({ machines });
+    const plain = { ...text({ machines: machines.join(", ") }, cl), path: "/compare" };
+    assert.deepEqual((await held(port, plain, 200)).json, answer);
+    const part = (name, content) => `--b\r\nContent-Disposition: form-data; name="${name}"\r\n\r\n${content}\r\n`;
+    const form = { method: "POST", path: "/compare", headers: { "content-type": "multipart/form-data; boundary=b" },
+      body: `${part("machines", machines.join(","))}${part("cl", cl)}--b--\r\n` };
+    assert.deepEqual((await held(port, form, 200)).json, answer);
+  });
+  await check("POST /compare: the best setup of a machine is that of POST /reorient", async () => {
+    const bounds = { max_tilt_deg: 10, setup_accuracy_deg: 0.1 };
+    const answer = await compared({ machines, reorient: bounds });
+    assert.equal(answer.objective, "peak_ratio");
+    const alone = (await held(port, job({ machine: machines[0], cl, ...bounds, map: false }, { path: "/reorient" }), 200)).json;
+    assert.deepEqual(answer.machines[0].reorientation,
+      { best: alone.best, optimality_gap: alone.optimality_gap, obstacle: alone.obstacle });
+  });
+  await check("POST /post 400: machines", async () => {
+    const { json } = await held(port, text({ machines: "generic-3axis" }, cl), 400);
+    assert.deepEqual([json.code, json.pointer], ["unknown_key", "/machines"]);
+  });
+}
+
 async function checkRefusals(port) {
   const cl = "GOTO/0,0,0\n";
   const refusals = [
@@ -209,7 +373,7 @@ async function checkRefusals(port) {
     ["a head over the limit", { path: "/healthz", headers: { "x-a": "a".repeat(20_000) } }, 431,
       "head_too_large"],
     ["another method", { method: "DELETE", path: "/machines" }, 405, "method_not_allowed"],
-    ["another path", { path: "/reorient" }, 404, "not_found"],
+    ["another path", { path: "/interpolate" }, 404, "not_found"],
     ["another schema", { path: "/schemas/x.json" }, 404, "not_found"],
     ["another machine", { path: "/machines/x" }, 404, "unknown_machine"],
     ["another version", { path: "/machines/generic-3axis/versions/9.9.9" }, 404, "unknown_version"],
@@ -272,13 +436,41 @@ async function checkJobSchema(port) {
     { nc: "%" }, { nc_dialect: "fanuc-30i" }, { post: { zone_comments: true } }, { post: { zone_comments: 1 } },
     { post: { pole_axis_deg: 5 } }, { post: { pole_axis_deg: 5.1 } }, { post: { flank: true, pole_axis_deg: 1 } },
   ];
-  const all = [...variants.map((variant) => ["/post", variant]),
-    ...["/post", "/analyse"].flatMap((place) => ofAnalysis.map((variant) => [place, variant]))];
+  const ofReorientation = [
+    {}, ...["peak_ratio", "time", "rotary_travel", "speed", 1].map((objective) => ({ objective })),
+    ...[0, 1, 180, 180.1, "1"].map((max_tilt_deg) => ({ max_tilt_deg })),
+    ...[-1, 0, 5, 5.1].map((setup_accuracy_deg) => ({ setup_accuracy_deg })),
+    ...[0, 0.001, 360, 361, {}, { theta_x_deg: 5 }, { theta_z_deg: 0 }, { theta: 5 }, "5"].map((step_deg) => ({ step_deg })),
+    ...[{}, { theta_x_deg: [0, -360] }, { theta_x_deg: [] }, { theta_z_deg: [361] }, { theta_z_deg: 0 }, [0]]
+      .map((allowed_deg) => ({ allowed_deg })),
+    { step_deg: 5, allowed_deg: {} }, { step_deg: 5, allowed_deg: { theta_x_deg: [0] } },
+    { step_deg: { theta_x_deg: 5 }, allowed_deg: { theta_x_deg: [0] } },
+    { step_deg: { theta_z_deg: 5 }, allowed_deg: { theta_z_deg: [0] } },
+    { step_deg: { theta_x_deg: 5 }, allowed_deg: { theta_z_deg: [0] } },
+    ...[[], [{}], [{ theta_x_deg: [1, 1] }], [{ theta_z_deg: [0, 1, 2] }], [{ theta_x_deg: [-361, 0] }], {}]
+      .map((forbidden_deg) => ({ forbidden_deg })),
+    ...[{ min: [0, 0, 0], max: [0, 0, 1] }, { min: [0, 0, 0] }, { min: [0, 0], max: [0, 0, 1] },
+      { min: [0, 0, 0], max: [0, 0, 2e6] }, []].map((origin_bounds_mm) => ({ origin_bounds_mm })),
+    ...[[], [{}], [{ theta_x_deg: 360 }], [{ theta_z_deg: -361 }], [{ tilt_deg: 1 }], [[0, 0]], {}]
+      .map((candidates) => ({ candidates })),
+    ...[true, false, {}, { step_deg: 45 }, { step_deg: 0.2 }, { step_deg: 46 }, { steps: 1 }, 2].map((map) => ({ map })),
+    { zone_share: 1 }, { samples: true }, { nc: "%" }, { max_tilt: 1 }, { cl_units: "mm" }, { cl: "" },
+  ];
+  const ofComparison = [
+    {}, { machines: undefined }, { machines: [] }, { machines: ["generic-3axis", "generic-3axis"] }, { machines: [5] },
+    { machines: "generic-3axis" }, { machine: "generic-3axis" }, { zone_share: 0 }, { zone_share: 0.5 },
+    { reorient: false }, { reorient: "true" }, { reorient: 1 }, { reorient: { candidates: [] } }, { reorient: { map: true } },
+    { reorient: { objective: "speed" } }, { reorient: { max_tilt_deg: 0 } }, { samples: true }, { nc: "%" }, { cl: "" },
+    { cl_units: "mm" }, { post: { output: "axes" } }, { limits: { X: { max_speed_mm_s: 10 } } },
+  ].map((variant) => ["/compare", { machine: undefined, machines: ["generic-3axis"], ...variant }]);
+  const all = [...ofComparison, ...variants.map((variant) => ["/post", variant]),
+    ...["/post", "/analyse"].flatMap((place) => ofAnalysis.map((variant) => [place, variant])),
+    ...ofReorientation.map((variant) => ["/reorient", { map: false, ...variant }])];
   for (const [place, variant] of all) {
     const body = { ...base, ...variant };
     await check(`${place}: the schema and the server agree on ${JSON.stringify(variant).slice(0, 60)}`, async () => {
       const answer = await held(port, job(body, { path: place }));
-      assert.equal(answer.status !== 400, contract.isJob(body, place), answer.text.slice(0, 300));
+      assert.equal(answer.status !== 400, contract.isJob(JSON.parse(JSON.stringify(body)), place), answer.text.slice(0, 300));
     });
   }
 }
@@ -354,6 +546,20 @@ async function checkReadme(port) {
   }
 }
 
+/// The README's table of all machines.
+async function checkCompared(port) {
+  await check("the table of machines in the README", async () => {
+    const cl = fs.readFileSync(path.join(root, "tests/data/papers/cripps-2017-original.cl"), "utf8");
+    const { machines } = (await held(port, { ...text({}, cl), path: "/compare" }, 200)).json;
+    const limited = machines.filter(({ peak }) => peak).map((row) => [row.name, row.limits_known,
+      row.predicted_time_s.toFixed(2), row.peak_ratio.toFixed(2), row.peak.axis, row.zones, row.over_demands]);
+    assert.deepEqual(comparedRows(root), limited);
+    const others = machines.slice(limited.length);
+    assert.deepEqual(others.map(({ limits_known: known }) => known), [...Array(9).fill("none"), undefined, undefined]);
+    assert.deepEqual(others.slice(9).map(({ name }) => name), ["generic-3axis", "generic-4axis-a"]);
+  });
+}
+
 /// The README's table of a real file, where that file is.
 async function checkRealFile(port) {
   const file = path.join(root, "../shared/data/cl/nx-five-axis-inch.cls");
@@ -375,16 +581,42 @@ async function checkRealFile(port) {
   });
 }
 
+/// The README's table of real files clamped anew, where those files are.
+async function checkRealSetups(port) {
+  const folder = path.join(root, "../shared/data/cl");
+  if (!fs.existsSync(folder)) return console.log("skipped the README's real setups: their files are not here");
+  const rows = reorientedRows(root);
+  await check("the table of real setups in the README has its rows", () => assert.equal(rows.length, 5));
+  for (const { file, machine, tilt, refusal, before, after } of rows) {
+    await check(`the row of ${file} on ${machine} in the README`, async () => {
+      const cl = fs.readFileSync(path.join(folder, file), "utf8");
+      const units = file.endsWith(".aptsource") ? { cl_units: "inch" } : {};
+      const wanted = job({ machine, cl, max_tilt_deg: tilt, map: false, ...units }, { path: "/reorient" });
+      const { baseline, best } = (await held(port, wanted, 200)).json;
+      const figures = (setup) => [setup.closest_approach_deg, setup.nominal_peak_ratio, setup.predicted_time_s];
+      const near = (shown, real) => shown.forEach((value, i) =>
+        assert.ok(Math.abs(value - real[i]) <= (i === 1 ? 6e-5 : 6e-3), `${shown}: ${real}`));
+      assert.equal(baseline.obstacle?.code, refusal);
+      if (before) near(before, figures(baseline));
+      near(after, [...figures(best), best.theta_x_deg, best.theta_z_deg]);
+    });
+  }
+}
+
 const server = await start(binary, ["--body-limit-mib", "1", "--threads", "1", "--queue", "0"], root);
 try {
   await checkReading(server.port);
   await checkRefusals(server.port);
   await checkPlaces(server.port);
   await checkAnalyse(server.port);
+  await checkReorient(server.port);
+  await checkCompare(server.port);
   await checkJobSchema(server.port);
   await checkExamples(server.port);
   await checkReadme(server.port);
+  await checkCompared(server.port);
   await checkRealFile(server.port);
+  await checkRealSetups(server.port);
 } finally {
   const code = await server.stop();
   await check("SIGTERM ends the server with 0", () => assert.equal(code, 0));

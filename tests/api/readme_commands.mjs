@@ -74,6 +74,24 @@ export function realFileRows(root) {
   });
 }
 
+/// The rows of the table of machines compared.
+export function comparedRows(root) {
+  const readme = fs.readFileSync(path.join(root, "README.md"), "utf8");
+  const row = /^\| `([\w-]+)` \| (all|some) \| ([\d.]+) s \| ([\d.]+) \((\w+)\) \| (\d+) \| (\d+) \|$/gm;
+  return [...readme.matchAll(row)].map(([, name, known, time, ratio, axis, zones, others]) =>
+    [name, known, time, ratio, axis, Number(zones), Number(others)]);
+}
+
+/// The rows of the table of real files clamped anew. `before` is undefined where a refusal stands.
+export function reorientedRows(root) {
+  const readme = fs.readFileSync(path.join(root, "README.md"), "utf8");
+  const row = new RegExp("^\\| `([\\w.-]+)` \\| `([\\w-]+)` \\| (\\d+) \\| (?:`(\\w+)`|([\\d.]+)°) → ([\\d.]+)° " +
+    "\\| (?:–|([\\d.]+)) → ([\\d.]+) \\| (?:–|([\\d.]+)) → ([\\d.]+) s \\| ([-\\d.]+)°, ([-\\d.]+)° \\|$", "gm");
+  return [...readme.matchAll(row)].map(([, file, machine, tilt, refusal, near, best, ratio, bestRatio, time, bestTime, x, z]) => ({
+    file, machine, tilt: Number(tilt), refusal,
+    before: refusal ? undefined : [near, ratio, time].map(Number), after: [best, bestRatio, bestTime, x, z].map(Number) }));
+}
+
 /// Throws where what is shown is not in the answer. Numbers are shown rounded.
 export function holdShown(shown, real, place) {
   if (typeof shown === "number") {

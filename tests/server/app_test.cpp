@@ -54,7 +54,7 @@ TEST(App, ServesEveryListedPathWithGetAndHead) {
 TEST(App, Answers404WhereNothingIs) {
   auto app = sample_app();
   for (const char* path :
-       {"/", "", "/reorient", "/metrics", "/docs", "/post/", "/machines/", "/machines/demo/",
+       {"/", "", "/interpolate", "/metrics", "/docs", "/post/", "/machines/", "/machines/demo/",
         "/machines/demo/versions", "/schemas/openapi.yaml", "/schemas/../openapi.yaml", "//post"}) {
     SCOPED_TRACE(path);
     const auto response = app.handle(get(path));

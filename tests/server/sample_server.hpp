@@ -102,6 +102,8 @@ inline Services services(PostFunction post) {
   return {.machines = library(),
           .post = std::move(post),
           .analyse = jobs::analyse,
+          .reorient = jobs::reorient,
+          .compare = jobs::compare,
           .next_request_id = [] { return "new-id"; }};
 }
 

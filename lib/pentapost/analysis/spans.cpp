@@ -43,10 +43,16 @@ void Spans::take(const std::vector<Place>& places) {
     const Demand &from = places[k - 1].demand, &to = places[k].demand;
     const double length = places[k].fraction - places[k - 1].fraction;
     for (std::size_t i = 0; i < axis_count; ++i) {
-      if (!(from.rate[i] * to.rate[i] < 0.0)) continue;
-      const Turning found =
-          turning(from.joints[i], to.joints[i], length * from.rate[i], length * to.rate[i]);
-      if (found.share > 0.0 && found.share < 1.0) widen(i, found.joint);
+      double way = std::abs(to.joints[i] - from.joints[i]);
+      if (from.rate[i] * to.rate[i] < 0.0) {
+        const Turning found =
+            turning(from.joints[i], to.joints[i], length * from.rate[i], length * to.rate[i]);
+        if (found.share > 0.0 && found.share < 1.0) {
+          widen(i, found.joint);
+          way = std::abs(found.joint - from.joints[i]) + std::abs(to.joints[i] - found.joint);
+        }
+      }
+      travel_[i] += way;
     }
   }
 }

@@ -9,7 +9,7 @@
 
 namespace pentapost::analysis {
 
-/// How far the joints go. mm, rad.
+/// How far the joints go, and which way they make. mm, rad.
 class Spans {
  public:
   /// The places of one stretch, as a Grid gives them.
@@ -17,6 +17,8 @@ class Spans {
   /// Values between the stretches.
   void take(const PerAxis& joints);
 
+  /// The way of each along the stretches. mm, rad.
+  const PerAxis& travel() const { return travel_; }
   /// nullopt: nothing was taken.
   const std::optional<std::array<Range<double>, axis_count>>& of_axes() const { return spans_; }
 
@@ -24,6 +26,7 @@ class Spans {
   void widen(std::size_t axis, double joint);
 
   std::optional<std::array<Range<double>, axis_count>> spans_;
+  PerAxis travel_{};
 };
 
 }  // namespace pentapost::analysis

@@ -74,4 +74,11 @@ Status check_domain(const PostJob& job) {
   return ok();
 }
 
+Status check_zone_share(double share) {
+  if (share > 0.0 && std::isfinite(share)) return ok();
+  return Problem{.code = Code::out_of_domain,
+                 .message = "found " + number_text(share) + "; expected a number above 0",
+                 .pointer = "/zone_share"};
+}
+
 }  // namespace pentapost::jobs

@@ -10,4 +10,7 @@ namespace pentapost::jobs {
 /// @return Problem out_of_domain with value, limit and pointer, or conflicting_keys.
 Status check_domain(const PostJob& job);
 
+/// @return Problem out_of_domain unless the share of a speed limit is above 0.
+Status check_zone_share(double share);
+
 }  // namespace pentapost::jobs

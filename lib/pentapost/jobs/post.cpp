@@ -19,16 +19,10 @@ namespace {
 
 /// What the absence of a tool's gauge length means for the words.
 Status check_gauge_lengths(const PostJob& job, PreparedJob& prepared) {
-  const bool prints_joints = prepared.control.output == Output::axes;
   const auto missing = missing_gauge_length(job, prepared.read.tool_path);
-  if (missing && prepared.model.head_turns && prints_joints)
-    return Problem{.code = Code::gauge_length_missing,
-                   .message = "the gauge length of tool " + std::to_string(*missing) +
-                              " is needed: the head of " + job.machine.name +
-                              " turns, and the axis words depend on it",
-                   .pointer = "/tools/" + std::to_string(*missing)};
+  if (auto status = check_gauge_length(job, prepared, missing); !status) return status;
   Diagnostics& diagnostics = prepared.read.diagnostics;
-  if (missing && prints_joints)
+  if (missing && prepared.control.output == Output::axes)
     diagnostics.add(
         {Severity::warning, Code::gauge_length_assumed, 0,
          "the gauge length of tool " + std::to_string(*missing) + " is not given and counts as 0"});

@@ -81,6 +81,12 @@ plan::Settings settings_of(const PostJob& job, const Control& control) {
   return settings;
 }
 
+void take_path(const PostJob& job, ReadPath read, PreparedJob& prepared) {
+  prepared.read = std::move(read);
+  if (job.setup.theta_x_deg != 0.0 || job.setup.theta_z_deg != 0.0)
+    path::turn(prepared.read.tool_path, turn_of(job.setup));
+}
+
 }  // namespace
 
 Result<PreparedJob> prepare_unread(const PostJob& job) {
@@ -100,9 +106,13 @@ Result<PreparedJob> prepare(const PostJob& job) {
   if (!prepared) return prepared;
   auto read = read_path(job);
   if (!read) return std::move(read).error();
-  prepared->read = std::move(*read);
-  if (job.setup.theta_x_deg != 0.0 || job.setup.theta_z_deg != 0.0)
-    path::turn(prepared->read.tool_path, turn_of(job.setup));
+  take_path(job, std::move(*read), *prepared);
+  return prepared;
+}
+
+Result<PreparedJob> prepare_read(const PostJob& job, ReadPath read) {
+  auto prepared = prepare_unread(job);
+  if (prepared) take_path(job, std::move(read), *prepared);
   return prepared;
 }
 
@@ -122,6 +132,17 @@ std::optional<int> missing_gauge_length(const PostJob& job, const path::ToolPath
   for (const auto& sequence : plan::sequences(tool_path))
     if (!job.gauge_length_mm.contains(sequence.tool_number)) return sequence.tool_number;
   return std::nullopt;
+}
+
+Status check_gauge_length(const PostJob& job, const PreparedJob& prepared,
+                          std::optional<int> missing_gauge) {
+  if (!missing_gauge || !prepared.model.head_turns || prepared.control.output != Output::axes)
+    return ok();
+  return Problem{.code = Code::gauge_length_missing,
+                 .message = "the gauge length of tool " + std::to_string(*missing_gauge) +
+                            " is needed: the head of " + job.machine.name +
+                            " turns, and the axis words depend on it",
+                 .pointer = "/tools/" + std::to_string(*missing_gauge)};
 }
 
 void warn_of_unchecked_ranges(const PostJob& job, const plan::JointRanges& ranges,

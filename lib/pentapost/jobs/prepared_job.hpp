@@ -39,6 +39,8 @@ struct PreparedJob {
 /// @return Problem as check_domain() and read_path(), unknown_dialect, or what the definition's
 ///         controller options are refused with.
 Result<PreparedJob> prepare(const PostJob& job);
+/// The same with a path that was read already.
+Result<PreparedJob> prepare_read(const PostJob& job, ReadPath read);
 /// The same without the path.
 Result<PreparedJob> prepare_unread(const PostJob& job);
 
@@ -51,6 +53,11 @@ void expand_holes(PreparedJob& prepared,
 
 /// The first tool of the path without a gauge length.
 std::optional<int> missing_gauge_length(const PostJob& job, const path::ToolPath& tool_path);
+
+/// @return Problem gauge_length_missing where the words of the program depend on the one that is
+///         missing.
+Status check_gauge_length(const PostJob& job, const PreparedJob& prepared,
+                          std::optional<int> missing_gauge);
 
 /// Warns where the machine's linear ranges could not be checked.
 void warn_of_unchecked_ranges(const PostJob& job, const plan::JointRanges& ranges,

@@ -1,14 +1,14 @@
 #include "pentapost/json/definition_json.hpp"
 
-#include "pentapost/core/number_text.hpp"
 #include "pentapost/core/sha256.hpp"
+#include "pentapost/json/clearance_json.hpp"
+#include "pentapost/json/direction.hpp"
 #include "pentapost/json/machine_schema.hpp"
 #include "pentapost/json/strict_reader.hpp"
 #include "pentapost/machine/near_names.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,20 +20,9 @@ namespace {
 
 using machine::Joint;
 
-constexpr double direction_slack = 1e-6;            ///< what rounding of printed digits explains
 constexpr std::size_t longest_matched_text = 2000;  ///< see check_machine_schema()
 constexpr std::string_view linear_letters = "XYZUVW";
 constexpr std::string_view rotary_letters = "ABC";
-
-/// The unit vector of `key`; the z axis after a failure.
-UnitVector direction_of(const Object& object, std::string_view key) {
-  const Vec3 direction = object.vector3(key);
-  const double length = direction.stableNorm();
-  if (std::abs(length - 1.0) <= direction_slack) return UnitVector::normalised(direction);
-  object.fail_at(key, Code::definition_meaning,
-                 "the direction has the length " + number_text(length) + "; expected 1");
-  return UnitVector::normalised(Vec3::UnitZ());
-}
 
 std::optional<Range<Angle>> angle_range_of(const Object& object, std::string_view key) {
   const auto range_deg = object.optional_range(key, Code::definition_meaning);
@@ -47,9 +36,10 @@ struct Axis {
 };
 
 Axis read_linear_axis(const std::string& name, const Object& object) {
-  Axis axis{.joint = {name, machine::LinearJoint{.direction = direction_of(object, "direction"),
-                                                 .range_mm = object.optional_range(
-                                                     "range_mm", Code::definition_meaning)}},
+  Axis axis{.joint = {name,
+                      machine::LinearJoint{
+                          .direction = direction_of(object, "direction", Code::definition_meaning),
+                          .range_mm = object.optional_range("range_mm", Code::definition_meaning)}},
             .limits = {}};
   const auto limit = Domain::positive();
   axis.limits.max_speed = object.optional_number("max_speed_mm_s", limit);
@@ -59,7 +49,8 @@ Axis read_linear_axis(const std::string& name, const Object& object) {
 }
 
 Axis read_rotary_axis(const std::string& name, const Object& object) {
-  Axis axis{.joint = {name, machine::RotaryJoint{.direction = direction_of(object, "direction"),
+  Axis axis{.joint = {name, machine::RotaryJoint{.direction = direction_of(
+                                                     object, "direction", Code::definition_meaning),
                                                  .point_mm = object.vector3("point_mm"),
                                                  .range = angle_range_of(object, "range_deg")}},
             .limits = {}};
@@ -143,6 +134,18 @@ machine::Preferences read_preferences(const Object& root) {
   return preferences;
 }
 
+machine::Clearance read_clearance(const Object& root) {
+  machine::Clearance clearance;
+  const auto object = root.optional_object("clearance");
+  if (!object) return clearance;
+  if (const auto spindle = object->optional_array("spindle"))
+    clearance.spindle = read_tool_cylinders(*spindle, Code::definition_meaning);
+  if (const auto table = object->optional_object("table"))
+    clearance.table = read_table_disc(*table, Code::definition_meaning);
+  object->finish();
+  return clearance;
+}
+
 machine::OptionValue option_of(const Value& value) {
   if (value.is_boolean()) return value.boolean();
   if (value.is_number()) return value.number();
@@ -202,8 +205,9 @@ Result<machine::Definition> read_definition(std::string_view text,
   Sides sides = read_chain(root, axes);
   std::map<std::string, machine::AxisLimits> limits;
   for (const auto& [name, axis] : axes) limits.emplace(name, axis.limits);
-  const UnitVector tool_axis = direction_of(root, "tool_axis");
+  const UnitVector tool_axis = direction_of(root, "tool_axis", Code::definition_meaning);
   auto preferences = read_preferences(root);
+  auto clearance = read_clearance(root);
   auto controller = read_controller(root, dialects);
   auto name = root.string("name");
   auto version = root.string("version");
@@ -226,7 +230,8 @@ Result<machine::Definition> read_definition(std::string_view text,
                              .limits = std::move(limits),
                              .preferences = std::move(preferences),
                              .controller = std::move(controller),
-                             .sha256 = sha256_hex(text)};
+                             .sha256 = sha256_hex(text),
+                             .clearance = std::move(clearance)};
 }
 
 }  // namespace

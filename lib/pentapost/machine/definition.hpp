@@ -3,6 +3,7 @@
 #include "pentapost/core/output.hpp"
 #include "pentapost/core/units.hpp"
 #include "pentapost/machine/chain.hpp"
+#include "pentapost/machine/clearance.hpp"
 
 #include <map>
 #include <optional>
@@ -45,7 +46,8 @@ struct Definition {
   std::map<std::string, AxisLimits> limits;  ///< by joint name
   Preferences preferences;
   Controller controller;
-  std::string sha256;  ///< of the file's bytes
+  std::string sha256;        ///< of the file's bytes
+  Clearance clearance = {};  ///< for the check for collisions
 };
 
 }  // namespace pentapost::machine

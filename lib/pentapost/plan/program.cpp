@@ -58,11 +58,17 @@ Status check_output(const kinematics::Model& model, const Settings& settings) {
 
 }  // namespace
 
+Status check_plannable(const kinematics::Model& model, const path::ToolPath& tool_path,
+                       const Settings& settings) {
+  if (auto status = check_output(model, settings); !status) return status;
+  if (auto status = check_tolerances(settings); !status) return status;
+  return check_coordinates(tool_path);
+}
+
 Result<Program> plan_program(const kinematics::Model& model, const JointRanges& ranges,
                              const path::ToolPath& tool_path, const Settings& settings) {
-  if (auto status = check_output(model, settings); !status) return std::move(status).error();
-  if (auto status = check_tolerances(settings); !status) return std::move(status).error();
-  if (auto status = check_coordinates(tool_path); !status) return std::move(status).error();
+  if (auto status = check_plannable(model, tool_path, settings); !status)
+    return std::move(status).error();
   Program program;
   program.motion.letters = word_columns(model).letters;
   program.motion.decimals_mm = settings.decimals_mm;

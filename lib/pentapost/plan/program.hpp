@@ -32,6 +32,11 @@ struct Program {
   std::vector<SequenceChoice> choices;  ///< in order of the sequences
 };
 
+/// What can be told before the planning: whether the machine can have this output, the digits printed
+/// can hold the tolerances, and all coordinates are within bounds.
+Status check_plannable(const kinematics::Model& model, const path::ToolPath& tool_path,
+                       const Settings& settings);
+
 /// Plans the NC program for a tool path: choice of solutions, linearisation, feeds, and the safe
 /// order of everything around them (lib/README.md sections 4 to 6).
 ///

@@ -30,6 +30,8 @@ inline const std::string demo_definition = R"({
   },
   "tool_axis": [0, 0, 1],
   "preferences": {"tilt": "negative", "first_turn_deg": [0, 360]},
+  "clearance": {"spindle": [{"radius_mm": 40, "from_mm": -5, "to_mm": 60}, {"radius_mm": 110, "from_mm": 60, "to_mm": 400}],
+                "table": {"radius_mm": 160, "centre_mm": [1, 2, 3], "normal": [0, 0, -1], "thickness_mm": 45}},
   "controller": {"dialect": "heidenhain-iso", "output": "tcp",
                  "options": {"comments": true, "decimals_mm": 4, "coolant_flood": "M8", "end_lines": ["M5", "M30"]}}
 }

@@ -1,0 +1,154 @@
+#include "pentapost/reorient/path_loads.hpp"
+
+#include "pentapost/reorient/motions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pentapost::reorient {
+namespace {
+
+/// Bounds whose quotient is below this are one value.
+constexpr double close_enough = 1.001;
+/// Of the accuracy of a setup: farther from a singularity it does not change times and ways.
+constexpr double near_accuracies = 3.0;
+
+}  // namespace
+
+bool PathLoads::is_near_singularity(const Extremes& found, double within_rad) const {
+  if (tools_.empty()) return false;
+  const AxisRates& rates = tools_.front().rates;
+  const Range<double> range{found.least_rad, std::max(found.least_rad, found.most_rad)};
+  return rates.has_singularity_between(range) ||
+         std::min(rates.singularity_distance_rad(range.lower),
+                  rates.singularity_distance_rad(range.upper)) <= within_rad;
+}
+
+/// Least sum of `part` over all pieces.
+/// @param part  of a time and bounds of the rates in it: the least it adds, and whether that is all
+///        that there is to know.
+template <class Part>
+double PathLoads::least_sum(const Clamping& clamping, const Spread& spread,
+                            const Part& part) const {
+  constexpr double fine_share = 0.25;
+  double total = 0.0;
+  for (const Tool& tool : tools_) {
+    const auto least = [&](const ToolMotion& motion, const Spread& of_motion, double time_s) {
+      const Spread both = together(of_motion, spread);
+      auto first = part(time_s, tool.rates.bounds(motion, clamping, 0, both));
+      const auto second = part(time_s, tool.rates.bounds(motion, clamping, 1, both));
+      return std::pair{std::min(first.first, second.first), first.second && second.second};
+    };
+    descend(
+        tool.tree,
+        [&](const PieceTree::Node& node) {
+          if (node.time_s == 0.0) return false;
+          const auto [adds, is_all] = least(node.group.centre, node.group.spread, node.time_s);
+          if (!is_all && node.group.spread.axis_rad > fine_share * spread.pole_rad) return true;
+          total += adds;
+          return false;
+        },
+        [&](std::uint32_t index) {
+          const Piece& piece = tool.tree.pieces()[index];
+          const auto whole_move = gammas_of_move(piece, clamping.pole);
+          const double aside_rad = spread.pole_rad + limits_.slack_rad;
+          // Near a singularity the tool axis may be changed.
+          if (std::min(tool.rates.singularity_distance_rad(whole_move.lower),
+                       tool.rates.singularity_distance_rad(whole_move.upper)) <= aside_rad ||
+              tool.rates.has_singularity_between(whole_move)) {
+            total += part(piece.time_s, RateBounds{}).first;
+            return;
+          }
+          total += least(piece.middle, spread_of(piece), piece.time_s).first;
+        });
+  }
+  return sure_share * total;
+}
+
+double PathLoads::least_time_s(const Clamping& clamping, const Spread& spread) const {
+  // What is not slowed down takes its time, to the last digit.
+  const double least = least_sum(clamping, spread, [&](double time_s, const RateBounds& bounds) {
+    return std::pair{time_s * std::max(1.0, ratio(bounds.lower)), !(ratio(bounds.upper) > 1.0)};
+  });
+  return std::max(programmed_time_s_, least);
+}
+
+double PathLoads::least_travel_rad(const Clamping& clamping, const Spread& spread) const {
+  return least_sum(clamping, spread, [&](double time_s, const RateBounds& bounds) {
+    const double lower = bounds.lower[first_axis] + bounds.lower[second_axis];
+    const double upper = bounds.upper[first_axis] + bounds.upper[second_axis];
+    return std::pair{time_s * lower, upper <= close_enough * lower};
+  });
+}
+
+/// Sum of `part` over all pieces, each divided until it is even enough.
+template <class Part>
+double PathLoads::sum(const Clamping& clamping, int branch, const Part& part) const {
+  constexpr int most_levels = 12;
+  /// Of the distance to a singularity, below which the rate in the middle stands for all.
+  constexpr double small_share = 0.05;
+  double total = 0.0;
+  for (const Tool& tool : tools_) {
+    // From a time to another, from the middle.
+    const auto add = [&](const auto& self, const Piece& piece, double from_s, double to_s,
+                         int level) -> void {
+      const double middle_s = 0.5 * (from_s + to_s), half_s = 0.5 * (to_s - from_s);
+      const ToolMotion motion = piece.at(middle_s);
+      const double distance_rad =
+          tool.rates.singularity_distance_rad(angle_between_rad(clamping.pole, motion.axis));
+      if (half_s * motion.turn_rad_s.norm() <= small_share * distance_rad || level >= most_levels) {
+        const auto rates = tool.rates.at(motion, clamping, branch);
+        total += (to_s - from_s) * (rates ? part(*rates, *rates).first : part({}, {}).first);
+        return;
+      }
+      self(self, piece, from_s, middle_s, level + 1);
+      self(self, piece, middle_s, to_s, level + 1);
+    };
+    descend(
+        tool.tree,
+        [&](const PieceTree::Node& node) {
+          if (node.time_s == 0.0) return false;
+          const RateBounds bounds =
+              tool.rates.bounds(node.group.centre, clamping, branch, node.group.spread);
+          const auto [lower, upper] = part(bounds.lower, bounds.upper);
+          if (!(upper <= close_enough * lower)) return true;
+          total += node.time_s * 0.5 * (lower + upper);
+          return false;
+        },
+        [&](std::uint32_t index) {
+          const Piece& piece = tool.tree.pieces()[index];
+          add(add, piece, -0.5 * piece.time_s, 0.5 * piece.time_s, 0);
+        });
+  }
+  return total;
+}
+
+double PathLoads::time_s(const Clampings& clampings, int branch) const {
+  const auto slowing = [&](const PerAxis& lower, const PerAxis& upper) {
+    return std::pair{std::max(1.0, ratio(lower)), std::max(1.0, ratio(upper))};
+  };
+  double largest = sum(clampings.nominal, branch, slowing);
+  if (!is_near_singularity(extremes(clampings.nominal, {}),
+                           near_accuracies * clampings.accuracy_rad))
+    return largest;
+  for (const Clamping& each : clampings.about)
+    largest = std::max(largest, sum(each, branch, slowing));
+  return largest;
+}
+
+double PathLoads::travel_rad(const Clampings& clampings, int branch) const {
+  const auto speed = [](const PerAxis& lower, const PerAxis& upper) {
+    return std::pair{lower[first_axis] + lower[second_axis],
+                     upper[first_axis] + upper[second_axis]};
+  };
+  double largest = sum(clampings.nominal, branch, speed);
+  if (!is_near_singularity(extremes(clampings.nominal, {}),
+                           near_accuracies * clampings.accuracy_rad))
+    return largest;
+  for (const Clamping& each : clampings.about)
+    largest = std::max(largest, sum(each, branch, speed));
+  return largest;
+}
+
+}  // namespace pentapost::reorient

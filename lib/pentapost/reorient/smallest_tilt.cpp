@@ -1,0 +1,107 @@
+#include "pentapost/reorient/search.hpp"
+
+#include "pentapost/reorient/search_cell.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace pentapost::reorient {
+namespace {
+
+/// Cells in order of their least tilt.
+class TiltSearch {
+ public:
+  TiltSearch(const SetupValues& values, const SetupDomain& domain, double fine_deg,
+             const SetupChecks& checks, const SearchOptions& options)
+      : values_{values}, domain_{domain}, fine_deg_{fine_deg}, checks_{checks}, options_{options} {
+    result_.least_value = std::numeric_limits<double>::infinity();
+  }
+
+  void take(const SetupCell& cell, const Hints& hints) {
+    if (is_forbidden(domain_, cell)) return;
+    const Coordinate& tilts = domain_.coordinates[0];
+    SearchCell next{.cell = cell,
+                    .least_value = std::abs(tilts.nearest(cell.parts[0], 0.0)),
+                    .hints = hints,
+                    .widest = 0};
+    if (!(next.least_value <= wanted_deg())) return;
+    const SetupPoint setup = middle(domain_, cell);
+    SetupPoint flattest = setup;
+    flattest.theta_x_deg = tilts.nearest(cell.parts[0], 0.0);
+    const SetupValue at_flattest = evaluate(flattest, next.hints);
+    const SetupValue at = evaluate(setup, next.hints);
+    offer(flattest, at_flattest.value);
+    offer(setup, at.value);
+    if (at.place && values_.accuracy_rad() == 0.0)
+      for (const SetupPoint& edge : values_.knife_edges(domain_, cell, *at.place)) offer(edge, 0.0);
+    if (values_.is_impossible(domain_, cell, at)) return;
+    if (values_.least_ratio(domain_, cell, at, next.hints.places) > 1.0) return;
+    next.widest = values_.widest(domain_, cell, at);
+    waiting_.push(std::move(next));
+  }
+
+  SearchResult run() {
+    for (std::size_t cells = 0; !waiting_.empty() && cells < options_.most_cells; cells += 2) {
+      const SearchCell cell = waiting_.top();
+      if (!(cell.least_value <= wanted_deg())) break;
+      waiting_.pop();
+      if (cell.widest == SetupDomain::dimensions) continue;
+      for (const auto& half :
+           domain_.coordinates[cell.widest].split(cell.cell.parts[cell.widest])) {
+        SetupCell part = cell.cell;
+        part.parts[cell.widest] = half;
+        take(part, cell.hints);
+      }
+    }
+    if (!waiting_.empty()) result_.least_value = waiting_.top().least_value;
+    if (result_.best) result_.least_value = std::min(result_.least_value, result_.best->value);
+    return result_;
+  }
+
+ private:
+  double wanted_deg() const {
+    return result_.best ? result_.best->value - fine_deg_ : std::numeric_limits<double>::infinity();
+  }
+
+  SetupValue evaluate(const SetupPoint& setup, Hints& hints) {
+    ++result_.evaluated;
+    return values_.evaluate(setup, hints, coarse_tolerance);
+  }
+
+  /// @param coarse_ratio  at most a little too low.
+  void offer(const SetupPoint& setup, double coarse_ratio) {
+    const double tilt_deg = std::abs(setup.theta_x_deg);
+    if (!(coarse_ratio <= 1.0) || !(tilt_deg <= wanted_deg()) || !domain_.allows(setup) ||
+        confirmed_ >= options_.most_confirmed)
+      return;
+    Hints none;
+    const double ratio = values_.evaluate(setup, none, exact_tolerance).value;
+    if (!(ratio <= 1.0) || !checks_.is_clear(setup)) return;
+    ++confirmed_;
+    const auto exact = checks_.confirm(setup, ratio);
+    if (exact && *exact <= 1.0) result_.best = Trial{setup, tilt_deg};
+  }
+
+  const SetupValues& values_;
+  const SetupDomain& domain_;
+  const double fine_deg_;
+  const SetupChecks& checks_;
+  const SearchOptions& options_;
+  SearchResult result_;
+  std::size_t confirmed_ = 0;
+  SearchQueue waiting_;
+};
+
+}  // namespace
+
+SearchResult find_smallest_tilt(const SetupValues& values, const SetupDomain& domain,
+                                double fine_deg, const SetupChecks& checks,
+                                const SearchOptions& options) {
+  TiltSearch search{values, domain, fine_deg, checks, options};
+  search.take(whole(domain), {});
+  return search.run();
+}
+
+}  // namespace pentapost::reorient
