@@ -62,6 +62,7 @@ constexpr std::array status_rows{
     StatusRow{Code::origin_assumed, 422},
     StatusRow{Code::origin_missing, 422},
     StatusRow{Code::clearance_unchecked, 422},
+    StatusRow{Code::clearance_coarse, 422},
     StatusRow{Code::not_reorientable, 422},
     StatusRow{Code::no_speed_limit, 422},
     StatusRow{Code::tolerance_below_digits, 422},

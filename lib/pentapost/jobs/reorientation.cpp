@@ -216,9 +216,12 @@ reorient::SetupChecks Reorientation::checks(Goal goal) {
                                   double value) { return confirm(setup, goal, value); }};
 }
 
-reorient::SearchOptions Reorientation::options() const {
-  // So that the search takes about as long as a few analyses of a long path.
-  constexpr double work = 1e8, fewest = 600.0, most = 4000.0;
+/// So many cells that the search takes about as long as some analyses of a long path.
+reorient::SearchOptions Reorientation::options(Goal goal) const {
+  // A sum takes every part of the path for every cell, a peak few of them.
+  const bool is_sum = goal != Goal::peak_ratio;
+  const double work = is_sum ? 8e6 : 1e8, fewest = is_sum ? 50.0 : 600.0;
+  constexpr double most = 4000.0;
   const double cells = work / static_cast<double>(std::max<std::size_t>(1, points_));
   return {.most_cells = static_cast<std::size_t>(std::clamp(cells, fewest, most)),
           .steps_per_unit = job_.setup_accuracy_deg > 0.0 ? steps_per_unit : 0.0};
@@ -322,7 +325,7 @@ void Reorientation::find_best(ReorientReport& report) {
                      spread_over(domain_.coordinates[1], is_slow ? 4 : 13));
   }
   const auto found = reorient::find_best(values(goal), domain_, first_trials(job_.max_tilt_deg),
-                                         checks(goal), options());
+                                         checks(goal), options(goal));
   evaluated_ += found.evaluated;
   if (!found.best) return;
   report.best = evaluated(found.best->setup);
@@ -333,8 +336,9 @@ void Reorientation::find_best(ReorientReport& report) {
 
 void Reorientation::find_smallest_tilt(ReorientReport& report) {
   if (!has_limits_) return;
-  const auto found = reorient::find_smallest_tilt(values(Goal::peak_ratio), domain_, fine_tilt_deg,
-                                                  checks(Goal::peak_ratio), options());
+  const auto found =
+      reorient::find_smallest_tilt(values(Goal::peak_ratio), domain_, fine_tilt_deg,
+                                   checks(Goal::peak_ratio), options(Goal::peak_ratio));
   evaluated_ += found.evaluated;
   if (found.best) report.smallest_tilt = evaluated(found.best->setup);
 }
@@ -346,7 +350,7 @@ void Reorientation::find_pareto(ReorientReport& report) {
   if (!report.best) return;
   const Goal goal = goal_of(job_.objective);
   const double most_deg = report.best->tilt_deg;
-  reorient::SearchOptions quick = options();
+  reorient::SearchOptions quick = options(goal);
   quick.most_cells = 0;
   quick.goes_downhill = points_ < many_points;
   const auto is_better = [&](double value) {
@@ -373,8 +377,18 @@ void Reorientation::find_pareto(ReorientReport& report) {
 /// What stands in the way where no setup is possible.
 std::optional<Obstacle> Reorientation::obstacle_of_all() {
   if (obstacle_) return obstacle_;
-  const SetupPoint flat{0.0, 0.0, baseline_.origin_mm};
-  return setups_.report(flat).obstacle;
+  std::vector<SetupPoint> any{reorient::middle(domain_, reorient::whole(domain_))};
+  for (const Trial& trial : trials_) any.push_back(trial.setup);
+  const auto allowed = std::find_if(any.begin(), any.end(), [&](const SetupPoint& setup) {
+    return domain_.allows(setup);
+  });
+  if (allowed != any.end())
+    if (auto obstacle = setups_.report(*allowed).obstacle) return obstacle;
+  return Obstacle{.kind = Obstacle::Kind::problem,
+                  .axis = {},
+                  .message = "no setup within the bounds is possible",
+                  .cl_line = 0,
+                  .code = {}};
 }
 
 }  // namespace pentapost::jobs

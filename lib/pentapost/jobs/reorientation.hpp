@@ -31,7 +31,7 @@ class Reorientation {
                                 double value);
   reorient::SetupValues values(reorient::Goal goal) const;
   reorient::SetupChecks checks(reorient::Goal goal);
-  reorient::SearchOptions options() const;
+  reorient::SearchOptions options(reorient::Goal goal) const;
 
   /// Kept, so that no setup is analysed twice for the answer; valid until the next call.
   const SetupReport& evaluated(const reorient::SetupPoint& setup);

@@ -22,6 +22,8 @@ AxisRates::AxisRates(const kinematics::Model& model, double gauge_length_mm)
       most_gamma_rad_{model.lambda_rad + model.mu_rad},
       cos_least_gamma_{std::cos(least_gamma_rad_)},
       cos_most_gamma_{std::cos(most_gamma_rad_)},
+      lambda_rad_{model.lambda_rad},
+      mu_rad_{model.mu_rad},
       cos_lambda_{std::cos(model.lambda_rad)},
       sin_lambda_{std::sin(model.lambda_rad)},
       cos_mu_{std::cos(model.mu_rad)},
@@ -59,6 +61,14 @@ AxisRates::Frame AxisRates::frame(const Vec3& along, const Vec3& other) {
   return {along, aside, along.cross(aside)};
 }
 
+double AxisRates::volume(double gamma_rad) const {
+  if (is_right_angled_) return std::sin(gamma_rad);
+  const double half = 0.5 * (lambda_rad_ + mu_rad_ + gamma_rad);
+  const double square = std::sin(half) * std::sin(half - lambda_rad_) * std::sin(half - mu_rad_) *
+                        std::sin(half - gamma_rad);
+  return square > 0.0 ? 2.0 * std::sqrt(square) : 0.0;
+}
+
 std::optional<AxisRates::Posture> AxisRates::posture(const ToolMotion& motion,
                                                      const Clamping& clamping, int branch) const {
   Posture at;
@@ -73,10 +83,9 @@ std::optional<AxisRates::Posture> AxisRates::posture(const ToolMotion& motion,
     at.volume = sign * at.sin_gamma;
     at.b = sign / at.sin_gamma * normal;
   } else {
-    const double cos_opening = (at.cos_gamma - cos_lambda_ * cos_mu_) / (sin_lambda_ * sin_mu_);
-    const double sin_opening_square = 1.0 - cos_opening * cos_opening;
-    if (!(sin_opening_square > smallest_sine * smallest_sine)) return std::nullopt;
-    at.volume = sign * sin_lambda_ * sin_mu_ * std::sqrt(sin_opening_square);
+    const double size = volume(at.gamma_rad);
+    if (!(size > smallest_sine * sin_lambda_ * sin_mu_)) return std::nullopt;
+    at.volume = sign * size;
     const double per_square = 1.0 / (at.sin_gamma * at.sin_gamma);
     at.b = per_square * ((cos_lambda_ - at.cos_gamma * cos_mu_) * pole +
                          (cos_mu_ - at.cos_gamma * cos_lambda_) * axis + at.volume * normal);

@@ -79,6 +79,8 @@ class AxisRates {
   Vec3 linear_change_mm(const ToolMotion& motion, const Clamping& clamping, int branch,
                         const Spread& spread) const;
 
+  /// Whether both branches have the same rotary speeds.
+  bool has_equal_branches() const { return is_right_angled_; }
   /// The opening of the triangle (RotarySolutions::opening_rad) at an angle between pole and tool
   /// axis; nullopt: out of reach.
   std::optional<double> opening_rad(double gamma_rad) const;
@@ -107,6 +109,9 @@ class AxisRates {
     }
   };
   static Frame frame(const Vec3& along, const Vec3& other);
+  /// Of the unit vectors along pole, second rotary axis and tool axis at an angle between the first
+  /// and the last: sin(lambda) sin(mu) sin(opening), all digits kept next to its zeros.
+  double volume(double gamma_rad) const;
   std::optional<Posture> posture(const ToolMotion& motion, const Clamping& clamping,
                                  int branch) const;
   bool may_exceed_right_angled(double ratio, const MotionGroup& group, const Clamping& clamping,
@@ -120,7 +125,7 @@ class AxisRates {
 
   double least_gamma_rad_, most_gamma_rad_;  ///< of the reach: both singular
   double cos_least_gamma_, cos_most_gamma_;
-  double cos_lambda_, sin_lambda_, cos_mu_, sin_mu_;
+  double lambda_rad_, mu_rad_, cos_lambda_, sin_lambda_, cos_mu_, sin_mu_;
   bool is_right_angled_;
   double sign_of_branch_0_;
   int place_;

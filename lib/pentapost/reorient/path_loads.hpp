@@ -78,9 +78,10 @@ class PathLoads {
   Peak peak(const Clampings& clampings, int branch, double tolerance,
             std::span<const PeakPlace> likely) const;
   /// Time of the cutting path, slowed down to the limits; the largest over the clampings.
-  double time_s(const Clampings& clampings, int branch) const;
-  /// Way of both rotary axes over the cutting path; the largest over the clampings.
-  double travel_rad(const Clampings& clampings, int branch) const;
+  /// @param tolerance  by which it may be wrong, as its share.
+  double time_s(const Clampings& clampings, int branch, double tolerance) const;
+  /// Way of both rotary axes over the cutting path; likewise.
+  double travel_rad(const Clampings& clampings, int branch, double tolerance) const;
 
   /// Whether all clampings within the spread are out of reach or range.
   bool is_impossible(const Clamping& clamping, const Extremes& extremes,
@@ -133,9 +134,13 @@ class PathLoads {
   double excess_mm(const Vec3& linear_mm, const Vec3& change_mm) const;
 
   template <class Part>
-  double least_sum(const Clamping& clamping, const Spread& spread, const Part& part) const;
+  double least_sum(const Clamping& clamping, const Spread& spread, bool branches_are_equal,
+                   const Part& part) const;
   template <class Part>
-  double sum(const Clamping& clamping, int branch, const Part& part) const;
+  double sum(const Clamping& clamping, int branch, double tolerance, const Part& part) const;
+  template <class Part>
+  double largest_sum(const Clampings& clampings, int branch, double tolerance,
+                     const Part& part) const;
 
   kinematics::Model model_;
   bool has_pole_, has_two_poles_;  ///< at the least angle that is within reach; and at the largest

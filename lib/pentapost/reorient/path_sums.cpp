@@ -26,17 +26,19 @@ bool PathLoads::is_near_singularity(const Extremes& found, double within_rad) co
 }
 
 /// Least sum of `part` over all pieces.
+/// @param branches_are_equal  where the rotary speeds are: nothing else counts.
 /// @param part  of a time and bounds of the rates in it: the least it adds, and whether that is all
 ///        that there is to know.
 template <class Part>
-double PathLoads::least_sum(const Clamping& clamping, const Spread& spread,
+double PathLoads::least_sum(const Clamping& clamping, const Spread& spread, bool branches_are_equal,
                             const Part& part) const {
-  constexpr double fine_share = 0.25;
+  constexpr double fine_share = 0.5;
   double total = 0.0;
   for (const Tool& tool : tools_) {
     const auto least = [&](const ToolMotion& motion, const Spread& of_motion, double time_s) {
       const Spread both = together(of_motion, spread);
-      auto first = part(time_s, tool.rates.bounds(motion, clamping, 0, both));
+      const auto first = part(time_s, tool.rates.bounds(motion, clamping, 0, both));
+      if (branches_are_equal && tool.rates.has_equal_branches()) return first;
       const auto second = part(time_s, tool.rates.bounds(motion, clamping, 1, both));
       return std::pair{std::min(first.first, second.first), first.second && second.second};
     };
@@ -44,6 +46,10 @@ double PathLoads::least_sum(const Clamping& clamping, const Spread& spread,
         tool.tree,
         [&](const PieceTree::Node& node) {
           if (node.time_s == 0.0) return false;
+          const double gamma_rad = angle_between_rad(clamping.pole, node.group.centre.axis);
+          if (tool.rates.singularity_distance_rad(gamma_rad) <=
+              node.group.spread.axis_rad + spread.pole_rad + limits_.slack_rad)
+            return true;
           const auto [adds, is_all] = least(node.group.centre, node.group.spread, node.time_s);
           if (!is_all && node.group.spread.axis_rad > fine_share * spread.pole_rad) return true;
           total += adds;
@@ -68,14 +74,15 @@ double PathLoads::least_sum(const Clamping& clamping, const Spread& spread,
 
 double PathLoads::least_time_s(const Clamping& clamping, const Spread& spread) const {
   // What is not slowed down takes its time, to the last digit.
-  const double least = least_sum(clamping, spread, [&](double time_s, const RateBounds& bounds) {
-    return std::pair{time_s * std::max(1.0, ratio(bounds.lower)), !(ratio(bounds.upper) > 1.0)};
-  });
+  const double least = least_sum(
+      clamping, spread, !limits_.shares.has_linear, [&](double time_s, const RateBounds& bounds) {
+        return std::pair{time_s * std::max(1.0, ratio(bounds.lower)), !(ratio(bounds.upper) > 1.0)};
+      });
   return std::max(programmed_time_s_, least);
 }
 
 double PathLoads::least_travel_rad(const Clamping& clamping, const Spread& spread) const {
-  return least_sum(clamping, spread, [&](double time_s, const RateBounds& bounds) {
+  return least_sum(clamping, spread, true, [&](double time_s, const RateBounds& bounds) {
     const double lower = bounds.lower[first_axis] + bounds.lower[second_axis];
     const double upper = bounds.upper[first_axis] + bounds.upper[second_axis];
     return std::pair{time_s * lower, upper <= close_enough * lower};
@@ -84,7 +91,8 @@ double PathLoads::least_travel_rad(const Clamping& clamping, const Spread& sprea
 
 /// Sum of `part` over all pieces, each divided until it is even enough.
 template <class Part>
-double PathLoads::sum(const Clamping& clamping, int branch, const Part& part) const {
+double PathLoads::sum(const Clamping& clamping, int branch, double tolerance,
+                      const Part& part) const {
   constexpr int most_levels = 12;
   /// Of the distance to a singularity, below which the rate in the middle stands for all.
   constexpr double small_share = 0.05;
@@ -112,7 +120,7 @@ double PathLoads::sum(const Clamping& clamping, int branch, const Part& part) co
           const RateBounds bounds =
               tool.rates.bounds(node.group.centre, clamping, branch, node.group.spread);
           const auto [lower, upper] = part(bounds.lower, bounds.upper);
-          if (!(upper <= close_enough * lower)) return true;
+          if (!(upper <= (1.0 + 2.0 * tolerance) * lower)) return true;
           total += node.time_s * 0.5 * (lower + upper);
           return false;
         },
@@ -124,31 +132,29 @@ double PathLoads::sum(const Clamping& clamping, int branch, const Part& part) co
   return total;
 }
 
-double PathLoads::time_s(const Clampings& clampings, int branch) const {
-  const auto slowing = [&](const PerAxis& lower, const PerAxis& upper) {
-    return std::pair{std::max(1.0, ratio(lower)), std::max(1.0, ratio(upper))};
-  };
-  double largest = sum(clampings.nominal, branch, slowing);
+template <class Part>
+double PathLoads::largest_sum(const Clampings& clampings, int branch, double tolerance,
+                              const Part& part) const {
+  double largest = sum(clampings.nominal, branch, tolerance, part);
   if (!is_near_singularity(extremes(clampings.nominal, {}),
                            near_accuracies * clampings.accuracy_rad))
     return largest;
   for (const Clamping& each : clampings.about)
-    largest = std::max(largest, sum(each, branch, slowing));
+    largest = std::max(largest, sum(each, branch, tolerance, part));
   return largest;
 }
 
-double PathLoads::travel_rad(const Clampings& clampings, int branch) const {
-  const auto speed = [](const PerAxis& lower, const PerAxis& upper) {
+double PathLoads::time_s(const Clampings& clampings, int branch, double tolerance) const {
+  return largest_sum(clampings, branch, tolerance, [&](const PerAxis& lower, const PerAxis& upper) {
+    return std::pair{std::max(1.0, ratio(lower)), std::max(1.0, ratio(upper))};
+  });
+}
+
+double PathLoads::travel_rad(const Clampings& clampings, int branch, double tolerance) const {
+  return largest_sum(clampings, branch, tolerance, [](const PerAxis& lower, const PerAxis& upper) {
     return std::pair{lower[first_axis] + lower[second_axis],
                      upper[first_axis] + upper[second_axis]};
-  };
-  double largest = sum(clampings.nominal, branch, speed);
-  if (!is_near_singularity(extremes(clampings.nominal, {}),
-                           near_accuracies * clampings.accuracy_rad))
-    return largest;
-  for (const Clamping& each : clampings.about)
-    largest = std::max(largest, sum(each, branch, speed));
-  return largest;
+  });
 }
 
 }  // namespace pentapost::reorient

@@ -99,18 +99,16 @@ AxisRates::Freedom AxisRates::freedom(const Posture& posture, const Spread& spre
   const double sin_product = sin_lambda_ * sin_mu_;
   const double highest = (std::cos(low_rad) - cos_lambda_ * cos_mu_) / sin_product;
   const double lowest = (std::cos(high_rad) - cos_lambda_ * cos_mu_) / sin_product;
-  const auto volume = [&](double cos_opening) {
-    return sin_product * std::sqrt(std::max(0.0, 1.0 - cos_opening * cos_opening));
-  };
+  const double volume_low = volume(low_rad), volume_high = volume(high_rad);
   free.may_be_reached = highest >= -1.0 && lowest <= 1.0;
   free.largest_volume =
-      lowest <= 0.0 && highest >= 0.0 ? sin_product : std::max(volume(lowest), volume(highest));
+      lowest <= 0.0 && highest >= 0.0 ? sin_product : std::max(volume_low, volume_high);
   free.least_sin_a = is_right_angled_ ? 1.0 : 0.0;
   free.largest_sin_gamma = low_rad <= 0.5 * pi && high_rad >= 0.5 * pi
                                ? 1.0
                                : std::max(std::sin(low_rad), std::sin(high_rad));
   if (!(highest < 1.0 && lowest > -1.0 && low_rad > 0.0 && high_rad < pi)) return free;
-  free.smallest_volume = std::min(volume(lowest), volume(highest));
+  free.smallest_volume = std::min(volume_low, volume_high);
   const double sine = std::sin(apart_rad) / posture.sin_gamma;
   if (!(apart_rad < 0.5 * pi && sine < 1.0)) return free;
   const double about_rad = std::asin(sine);

@@ -47,10 +47,10 @@ SetupValue SetupValues::evaluate(const SetupPoint& setup, Hints& hints, double t
       break;
     }
     case Goal::time:
-      found.value = loads_.time_s(found.clampings, branch);
+      found.value = loads_.time_s(found.clampings, branch, tolerance);
       break;
     case Goal::travel:
-      found.value = loads_.travel_rad(found.clampings, branch);
+      found.value = loads_.travel_rad(found.clampings, branch, tolerance);
       break;
   }
   return found;
