@@ -221,7 +221,7 @@ reorient::SearchOptions Reorientation::options(Goal goal) const {
   // A sum takes every part of the path for every cell, a peak few of them.
   const bool is_sum = goal != Goal::peak_ratio;
   const double work = is_sum ? 8e6 : 1e8, fewest = is_sum ? 50.0 : 600.0;
-  constexpr double most = 4000.0;
+  const double most = is_sum ? 1000.0 : 4000.0;
   const double cells = work / static_cast<double>(std::max<std::size_t>(1, points_));
   return {.most_cells = static_cast<std::size_t>(std::clamp(cells, fewest, most)),
           .steps_per_unit = job_.setup_accuracy_deg > 0.0 ? steps_per_unit : 0.0};
@@ -379,9 +379,8 @@ std::optional<Obstacle> Reorientation::obstacle_of_all() {
   if (obstacle_) return obstacle_;
   std::vector<SetupPoint> any{reorient::middle(domain_, reorient::whole(domain_))};
   for (const Trial& trial : trials_) any.push_back(trial.setup);
-  const auto allowed = std::find_if(any.begin(), any.end(), [&](const SetupPoint& setup) {
-    return domain_.allows(setup);
-  });
+  const auto allowed = std::find_if(any.begin(), any.end(),
+                                    [&](const SetupPoint& setup) { return domain_.allows(setup); });
   if (allowed != any.end())
     if (auto obstacle = setups_.report(*allowed).obstacle) return obstacle;
   return Obstacle{.kind = Obstacle::Kind::problem,

@@ -4,7 +4,8 @@
 #include "pentapost/kinematics/model.hpp"
 #include "pentapost/plan/branches.hpp"
 
-#include <algorithm>
+#include <cmath>
+#include <cstddef>
 
 namespace pentapost::reorient {
 
@@ -28,12 +29,18 @@ inline Clamping clamping_of(const kinematics::Model& model, const Mat3& to_table
 inline bool has_twins(const kinematics::Model& model, const plan::JointRanges& ranges,
                       const Vec3& origin_mm) {
   constexpr double parallel_sine = 1e-12, same_place_mm = 1e-9;
-  const auto is_ranged = [](const auto& range) { return range.has_value(); };
+  // A linear axis next to the workpiece is not turned with it: half a turn leaves the magnitude of
+  // its speed only where it runs along or across the axis, and across it mirrors its range.
+  const auto keeps_speed = [&](Eigen::Index joint) {
+    const Vec3 direction = model.linear_columns[0].col(joint);
+    if (model.a.cross(direction).norm() < parallel_sine) return true;
+    return std::abs(model.a.dot(direction)) < parallel_sine &&
+           !ranges.linear_mm[static_cast<std::size_t>(joint)];
+  };
   return model.rotary_count == 2 && !ranges.rotary_rad[0] &&
          model.a.cross(Vec3::UnitZ()).norm() < parallel_sine &&
-         model.a.cross(origin_mm - model.a_point_mm).norm() < same_place_mm &&
-         (model.fixed.linear_place > 0 ||
-          std::none_of(ranges.linear_mm.begin(), ranges.linear_mm.end(), is_ranged));
+         model.a.cross(origin_mm - model.a_point_mm).norm() < same_place_mm && keeps_speed(0) &&
+         keeps_speed(1) && keeps_speed(2);
 }
 
 }  // namespace pentapost::reorient

@@ -43,20 +43,21 @@ PathLoads::PathLoads(const kinematics::Model& model, std::vector<ToolPieces> too
   }
 }
 
-Clampings PathLoads::clampings(const Clamping& nominal, double accuracy_rad) const {
-  Clampings all{.nominal = nominal, .about = {}, .accuracy_rad = accuracy_rad};
-  if (!(accuracy_rad > 0.0)) return all;
-  constexpr int count = 8;
+/// The clamping whose pole is `away_rad` off the nominal one, in a direction counted round it.
+Clamping PathLoads::moved(const Clamping& nominal, double away_rad, double direction_rad) {
   Eigen::Index smallest = 0;
   nominal.pole.cwiseAbs().minCoeff(&smallest);
   const Vec3 aside = nominal.pole.cross(Vec3::Unit(smallest)).normalized();
-  for (int i = 0; i < count; ++i) {
-    const Vec3 about =
-        Eigen::AngleAxisd{2.0 * pi * i / count, nominal.pole}.toRotationMatrix() * aside;
-    const Mat3 turn = Eigen::AngleAxisd{accuracy_rad, about}.toRotationMatrix();
-    all.about.push_back({nominal.to_table * turn.transpose(), turn * nominal.pole,
-                         turn * nominal.origin_from_a_mm});
-  }
+  const Vec3 about = Eigen::AngleAxisd{direction_rad, nominal.pole}.toRotationMatrix() * aside;
+  const Mat3 turn = Eigen::AngleAxisd{away_rad, about}.toRotationMatrix();
+  return {nominal.to_table * turn.transpose(), turn * nominal.pole,
+          turn * nominal.origin_from_a_mm};
+}
+
+Clampings PathLoads::clampings(const Clamping& nominal, double accuracy_rad) const {
+  Clampings all{.nominal = nominal, .about = {}, .accuracy_rad = accuracy_rad};
+  for (int i = 0; i < directions && accuracy_rad > 0.0; ++i)
+    all.about.push_back(moved(nominal, accuracy_rad, 2.0 * pi * i / directions));
   return all;
 }
 
@@ -283,7 +284,34 @@ Peak PathLoads::peak(const Clampings& clampings, int branch, double tolerance,
           if (piece.time_s > 0.0 && may_be_higher(group_of(piece))) take(tool_index, index);
         });
   }
+  if (found.place && found.place->clamping > 0 && std::isfinite(found.ratio))
+    found.ratio = std::max(found.ratio, largest_about(*found.place, clampings, branch));
   return found;
+}
+
+/// Of a place, between the directions next to the one that has been found, where it rises and falls
+/// once.
+double PathLoads::largest_about(const PeakPlace& place, const Clampings& clampings,
+                                int branch) const {
+  constexpr int steps = 12;
+  const Tool& tool = tools_[place.tool];
+  const Piece& piece = tool.tree.pieces()[place.piece];
+  const auto at = [&](double direction_rad) {
+    return ratio_of_piece(tool, piece,
+                          moved(clampings.nominal, clampings.accuracy_rad, direction_rad), branch,
+                          0.0)
+        .ratio;
+  };
+  const double step_rad = 2.0 * pi / directions;
+  double from = (place.clamping - 2.0) * step_rad, to = place.clamping * step_rad;
+  for (int i = 0; i < steps; ++i) {
+    const double third = (to - from) / 3.0;
+    if (at(from + third) < at(to - third))
+      from += third;
+    else
+      to -= third;
+  }
+  return at(0.5 * (from + to));
 }
 
 bool PathLoads::is_impossible(const Clamping& clamping, const Extremes& found,

@@ -112,6 +112,9 @@ class PathLoads {
     PieceTree tree;
     std::vector<Station> stations;
   };
+  static constexpr int directions = 8;  ///< of the clampings about a setup
+  static Clamping moved(const Clamping& nominal, double away_rad, double direction_rad);
+  double largest_about(const PeakPlace& place, const Clampings& clampings, int branch) const;
   struct PieceRatio {
     double ratio = 0.0, from_middle_s = 0.0;
   };

@@ -93,7 +93,7 @@ double PathLoads::least_travel_rad(const Clamping& clamping, const Spread& sprea
 template <class Part>
 double PathLoads::sum(const Clamping& clamping, int branch, double tolerance,
                       const Part& part) const {
-  constexpr int most_levels = 12;
+  constexpr int most_levels = 8;
   /// Of the distance to a singularity, below which the rate in the middle stands for all.
   constexpr double small_share = 0.05;
   double total = 0.0;
