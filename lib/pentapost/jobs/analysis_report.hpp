@@ -36,15 +36,18 @@ struct AxisDemandReport {
 /// What can be done about a zone, and what it costs.
 struct Cure {
   enum class Kind {
-    feed,         ///< a lower feed through the zone
-    solution,     ///< the other tilt of the rotary axes
-    axis_change,  ///< the tool axis led through the pole
+    feed,           ///< a lower feed through the zone
+    solution,       ///< the other tilt of the rotary axes
+    axis_change,    ///< the tool axis led through the pole
+    reorientation,  ///< the part clamped in another way
   };
   Kind kind = Kind::feed;
   double time_lost_s = 0.0;  ///< that is left in and about the zone, against the programmed feed
   double peak_ratio = 0.0;   ///< that is left there
   double feed_mm_min = 0.0;  ///< feed: through the zone
   double axis_change_deg = 0.0;  ///< axis_change: of the tool axis, at most
+  /// reorientation: of the setup, in place of the job's.
+  double theta_x_deg = 0.0, theta_z_deg = 0.0;
 };
 
 struct ZoneReport {

@@ -2,6 +2,9 @@
 
 #include "pentapost/analysis/cl_analysis.hpp"
 #include "pentapost/jobs/bends.hpp"
+#include "pentapost/jobs/quick_setup.hpp"
+#include "pentapost/jobs/setup_analysis.hpp"
+#include "pentapost/path/turn.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +85,7 @@ class Cures {
   void find() {
     offer_other_tilt();
     offer_axis_change();
+    offer_reorientation();
     for (ZoneReport& zone : zones_)
       std::stable_sort(zone.cures.begin(), zone.cures.end(),
                        [](const Cure& x, const Cure& y) { return x.time_lost_s < y.time_lost_s; });
@@ -111,6 +115,22 @@ class Cures {
       if (const auto change_deg = pole_axis_deg(job_, zones_[i]))
         offer(zones_[i], {.kind = Cure::Kind::axis_change, .axis_change_deg = *change_deg},
               loads[i]);
+  }
+
+  void offer_reorientation() {
+    PreparedJob in_cl = prepared_;
+    path::turn(in_cl.read.tool_path, turn_of(job_.job.setup).transpose());
+    const auto setup = quick_setup(job_, in_cl);
+    if (!setup) return;
+    const auto analysis = SetupAnalysis{in_cl, job_.job.setup.origin_mm.has_value()}.analyse(
+        *setup, {.share = job_.zone_share, .zones_only = true, .windows = windows_});
+    if (!analysis) return;
+    for (std::size_t i = 0; i < zones_.size(); ++i)
+      offer(zones_[i],
+            {.kind = Cure::Kind::reorientation,
+             .theta_x_deg = setup->theta_x_deg,
+             .theta_z_deg = setup->theta_z_deg},
+            analysis->window_loads[i]);
   }
 
   static void offer(ZoneReport& zone, Cure cure, const WindowLoad& load) {

@@ -51,6 +51,10 @@ AxisRates::AxisRates(const kinematics::Model& model, double gauge_length_mm)
   axes << carrying.along, carrying.aside, carrying.across;
   linear_per_component_ = inverse * axes;
   row_norms_ = inverse.rowwise().norm();
+  // A bound of the largest singular value, exact for axes at right angles.
+  const Mat3 directions = inverse.inverse();
+  const Mat3 products = directions.transpose() * directions;
+  largest_tip_per_linear_ = std::sqrt(products.cwiseAbs().rowwise().sum().maxCoeff());
   linear_offset_mm_ = place_ == 2   ? Vec3{inverse * tool_mm}
                       : place_ == 1 ? Vec3{inverse * b_from_a_mm}
                                     : Vec3{Vec3::Zero()};

@@ -43,6 +43,7 @@ struct SpeedShares {
 /// Bounds of magnitudes, mm/s and rad/s.
 struct RateBounds {
   PerAxis lower{}, upper{};    ///< upper: infinite where a singularity may be met
+  double least_linear_mm_s = 0.0;  ///< of all linear axes together, the root of their squares
   bool may_be_reached = true;  ///< false: no place within the spread is within reach
 };
 
@@ -131,6 +132,7 @@ class AxisRates {
   int place_;
   Mat3 linear_per_component_;  ///< linear joints by components of the frame that carries them
   Vec3 row_norms_;
+  double largest_tip_per_linear_;  ///< way of the tip by a way of 1 mm of the linear joints
   double b_from_a_mm_, tool_mm_;
   Vec3 b_from_a_components_;  ///< in the frame of both rotary axes
   Vec3 tool_components_;      ///< from the second rotary axis to the tip, in that axis' and the

@@ -28,6 +28,20 @@ Range<double> cosines_of(const Piece& piece, const Vec3& pole) {
           turns_inside && cosine > 0.0 ? most : cosine * half_cosine + sine * half_sine};
 }
 
+/// The third of a piece about a time from its middle.
+Piece third_of(const Piece& piece, double from_middle_s) {
+  Piece third = piece;
+  third.middle = piece.at(from_middle_s);
+  third.time_s = piece.time_s / 3.0;
+  return third;
+}
+
+RateBounds without_linear(RateBounds bounds) {
+  std::fill(bounds.lower.begin(), bounds.lower.begin() + first_axis, 0.0);
+  bounds.least_linear_mm_s = 0.0;
+  return bounds;
+}
+
 }  // namespace
 
 PathLoads::PathLoads(const kinematics::Model& model, std::vector<ToolPieces> tools,
@@ -197,6 +211,14 @@ double PathLoads::ratio(const PerAxis& rates) const {
   return largest;
 }
 
+double PathLoads::least_ratio(const RateBounds& bounds) const {
+  // One of three axes has at least this part of their speed.
+  const double share = 1.0 / std::sqrt(3.0);
+  const PerAxis& time_s = limits_.shares.time_per_way_s;
+  return std::max(ratio(bounds.lower),
+                  share * bounds.least_linear_mm_s * std::min({time_s[0], time_s[1], time_s[2]}));
+}
+
 /// Largest at the ends, in the middle and where the tool axis is nearest to the pole.
 PathLoads::PieceRatio PathLoads::ratio_of_piece(const Tool& tool, const Piece& piece,
                                                 const Clamping& clamping, int branch,
@@ -256,16 +278,18 @@ Peak PathLoads::peak(const Clampings& clampings, int branch, double tolerance,
     const PieceRatio nominal = ratio_of_piece(tool, piece, clampings.nominal, branch, found.ratio);
     raise(nominal.ratio, {tool_index, index, 0});
     if (clampings.about.empty()) return;
-    MotionGroup there;
-    there.centre = piece.at(nominal.from_middle_s);
-    there.largest_turn_rad_s = piece.middle.turn_rad_s.norm();
-    there.largest_tip_mm_s = piece.middle.tip_mm_s.norm();
-    if (!tool.rates.may_exceed((1.0 + tolerance) * found.ratio, there, clampings.nominal, branch,
-                               about, limits_.shares))
-      return;
     if (limits_.shares.time_per_way_s[first_axis] > 0.0 &&
         meets_singularity(tool, piece, clampings.nominal, clampings.accuracy_rad))
       return raise(infinite, {tool_index, index, 0});
+    // By thirds, which are bounded closer than the whole.
+    const double ratio = (1.0 + tolerance) * found.ratio, aside_s = piece.time_s / 3.0;
+    const auto may_exceed = [&](const MotionGroup& group) {
+      return tool.rates.may_exceed(ratio, group, clampings.nominal, branch, about, limits_.shares);
+    };
+    if (!may_exceed(group_of(third_of(piece, 0.0))) &&
+        !may_exceed(group_of(third_of(piece, -aside_s))) &&
+        !may_exceed(group_of(third_of(piece, aside_s))))
+      return;
     for (std::uint32_t i = 0; i < clampings.about.size(); ++i)
       raise(ratio_of_piece(tool, piece, clampings.about[i], branch, found.ratio).ratio,
             {tool_index, index, i + 1});
@@ -346,9 +370,8 @@ double PathLoads::least_ratio(const PeakPlace& place, const Clamping& clamping,
     double largest = 0.0;
     const auto take = [&](double from_middle_s) {
       RateBounds bounds = tool.rates.bounds(piece.at(from_middle_s), clamping, branch, spread);
-      if (!piece.is_straight && from_middle_s != 0.0)
-        std::fill(bounds.lower.begin(), bounds.lower.begin() + first_axis, 0.0);
-      largest = std::max(largest, ratio(bounds.lower));
+      if (!piece.is_straight && from_middle_s != 0.0) bounds = without_linear(bounds);
+      largest = std::max(largest, least_ratio(bounds));
     };
     take(0.0);
     if (piece.half_turn_rad() > 0.0) {

@@ -130,6 +130,7 @@ class PathLoads {
   bool is_out_of_linear_range(const Clamping& clamping, int branch, const Spread& spread) const;
   bool may_be_within(int branch, Range<double> opening_rad) const;
   double ratio(const PerAxis& rates) const;
+  double least_ratio(const RateBounds& bounds) const;
   PieceRatio ratio_of_piece(const Tool& tool, const Piece& piece, const Clamping& clamping,
                             int branch, double at_least) const;
   bool meets_singularity(const Tool& tool, const Piece& piece, const Clamping& clamping,

@@ -76,7 +76,7 @@ double PathLoads::least_time_s(const Clamping& clamping, const Spread& spread) c
   // What is not slowed down takes its time, to the last digit.
   const double least = least_sum(
       clamping, spread, !limits_.shares.has_linear, [&](double time_s, const RateBounds& bounds) {
-        return std::pair{time_s * std::max(1.0, ratio(bounds.lower)), !(ratio(bounds.upper) > 1.0)};
+        return std::pair{time_s * std::max(1.0, least_ratio(bounds)), !(ratio(bounds.upper) > 1.0)};
       });
   return std::max(programmed_time_s_, least);
 }

@@ -136,7 +136,11 @@ RateBounds AxisRates::bounds(const ToolMotion& motion, const Clamping& clamping,
   const double turn_rad_s = motion.turn_rad_s.norm() + spread.turn_rad_s;
   const bool turns = turn_rad_s > 0.0;
   if (!found) {
-    if (!turns) bounds.upper[first_axis] = bounds.upper[second_axis] = 0.0;
+    if (turns) return bounds;
+    bounds.upper[first_axis] = bounds.upper[second_axis] = 0.0;
+    if (place_ >= 0)
+      bounds.least_linear_mm_s =
+          std::max(0.0, motion.tip_mm_s.norm() - spread.tip_mm_s) / largest_tip_per_linear_;
     return bounds;
   }
   const Posture& at = *found;
@@ -192,6 +196,7 @@ RateBounds AxisRates::bounds(const ToolMotion& motion, const Clamping& clamping,
       part(second.change, at.b.cross(at.second_arm_mm).norm()) +
       part(second.upper, free.b_rad * at.second_arm_mm.norm() + second_arm_change);
   const double size = at.linear_rate_mm_s.norm();
+  bounds.least_linear_mm_s = std::max(0.0, size - change) / largest_tip_per_linear_;
   const double turned = frame_change(free, spread) * size;
   const Vec3 linear = linear_per_component_ * linear_frame(at).components(at.linear_rate_mm_s);
   for (std::size_t i = 0; i < first_axis; ++i) {
