@@ -42,9 +42,9 @@ struct SpeedShares {
 
 /// Bounds of magnitudes, mm/s and rad/s.
 struct RateBounds {
-  PerAxis lower{}, upper{};    ///< upper: infinite where a singularity may be met
+  PerAxis lower{}, upper{};        ///< upper: infinite where a singularity may be met
   double least_linear_mm_s = 0.0;  ///< of all linear axes together, the root of their squares
-  bool may_be_reached = true;  ///< false: no place within the spread is within reach
+  bool may_be_reached = true;      ///< false: no place within the spread is within reach
 };
 
 /// Joint speeds by the tool's motion and the direction of the pole alone, without joint values: the

@@ -47,7 +47,9 @@ Spread together(const Spread& of_motion, const Spread& of_clamping) {
 Spread spread_of(const Piece& piece) {
   Spread spread;
   spread.axis_rad = piece.half_turn_rad();
-  spread.tip_mm = 0.5 * piece.time_s * piece.middle.tip_mm_s.norm();
+  const double speed_mm_s = piece.middle.tip_mm_s.norm();
+  spread.tip_mm = 0.5 * piece.time_s * speed_mm_s;
+  spread.tip_mm_s = piece.half_sweep_rad * speed_mm_s;
   return spread;
 }
 

@@ -182,9 +182,12 @@ PathLoads::WorstPlace PathLoads::worst_place(const Clamping& clamping, int branc
           return excess_mm(*linear, change) > worst.excess_mm;
         },
         [&](std::uint32_t index) {
-          const auto linear =
-              tool.rates.linear_mm(tool.tree.pieces()[index].middle, clamping, branch);
-          if (!linear) return;
+          const ToolMotion& motion = tool.tree.pieces()[index].middle;
+          const auto linear = tool.rates.linear_mm(motion, clamping, branch);
+          // At a singularity the first axis is free.
+          if (!linear || tool.rates.singularity_distance_rad(
+                             angle_between_rad(clamping.pole, motion.axis)) <= limits_.slack_rad)
+            return;
           const double excess = excess_mm(*linear, Vec3::Zero());
           if (excess > worst.excess_mm) worst = {excess, tool_index, index};
         });
@@ -192,15 +195,20 @@ PathLoads::WorstPlace PathLoads::worst_place(const Clamping& clamping, int branc
   return worst;
 }
 
-bool PathLoads::is_out_of_linear_range(const Clamping& clamping, int branch,
+bool PathLoads::is_out_of_linear_range(const WorstPlace& place, const Clamping& clamping,
                                        const Spread& spread) const {
-  const WorstPlace worst = worst_place(clamping, branch);
-  if (!(worst.excess_mm > 0.0)) return false;
-  const Tool& tool = tools_[worst.tool];
-  const ToolMotion& motion = tool.tree.pieces()[worst.piece].middle;
-  const auto linear = tool.rates.linear_mm(motion, clamping, branch);
-  return linear &&
-         excess_mm(*linear, -tool.rates.linear_change_mm(motion, clamping, branch, spread)) > 0.0;
+  if (!(place.excess_mm > 0.0)) return false;
+  const Tool& tool = tools_[place.tool];
+  const ToolMotion& motion = tool.tree.pieces()[place.piece].middle;
+  Spread changed = spread;
+  changed.axis_rad += limits_.slack_rad;
+  for (const int branch : {0, 1}) {
+    const auto linear = tool.rates.linear_mm(motion, clamping, branch);
+    if (!linear) return false;
+    const Vec3 change = tool.rates.linear_change_mm(motion, clamping, branch, changed);
+    if (!(excess_mm(*linear, -change) > 0.0)) return false;
+  }
+  return true;
 }
 
 double PathLoads::ratio(const PerAxis& rates) const {
@@ -234,7 +242,8 @@ PathLoads::PieceRatio PathLoads::ratio_of_piece(const Tool& tool, const Piece& p
   // About what a ratio changes by in so small a piece.
   constexpr double largest_slope = 4.0;
   const double sin_gamma = clamping.pole.cross(piece.middle.axis).norm();
-  if (largest.ratio * (1.0 + largest_slope * half_s * speed_rad_s / sin_gamma) < at_least)
+  if (tool.rates.has_equal_branches() &&
+      largest.ratio * (1.0 + largest_slope * half_s * speed_rad_s / sin_gamma) < at_least)
     return largest;
   take(-half_s);
   take(half_s);
@@ -260,7 +269,8 @@ bool PathLoads::meets_singularity(const Tool& tool, const Piece& piece, const Cl
 bool PathLoads::meets_singularity(const PeakPlace& place, const Clamping& clamping,
                                   double within_rad) const {
   const Tool& tool = tools_[place.tool];
-  return meets_singularity(tool, tool.tree.pieces()[place.piece], clamping, within_rad);
+  return limits_.shares.time_per_way_s[first_axis] > 0.0 &&
+         meets_singularity(tool, tool.tree.pieces()[place.piece], clamping, within_rad);
 }
 
 Peak PathLoads::peak(const Clampings& clampings, int branch, double tolerance,
@@ -349,8 +359,10 @@ bool PathLoads::is_impossible(const Clamping& clamping, const Extremes& found,
     return !openings || (!may_be_within(0, *openings) && !may_be_within(1, *openings));
   };
   if (is_out(found.least_rad) || is_out(found.most_rad)) return true;
-  return limits_.check_linear && is_out_of_linear_range(clamping, 0, spread) &&
-         is_out_of_linear_range(clamping, 1, spread);
+  // One place that is out on both branches: on the way the path may change its branch.
+  return limits_.check_linear &&
+         (is_out_of_linear_range(worst_place(clamping, 0), clamping, spread) ||
+          is_out_of_linear_range(worst_place(clamping, 1), clamping, spread));
 }
 
 double PathLoads::least_ratio(const PeakPlace& place, const Clamping& clamping,

@@ -103,6 +103,11 @@ class PathLoads {
   }
   double programmed_time_s() const { return programmed_time_s_; }
 
+  /// Whether the path comes so near to a singularity in all clampings whose poles are within
+  /// `change_rad` of the one that has the extremes.
+  bool is_near_singularity(const Extremes& extremes, double within_rad, double change_rad) const;
+  /// Of the accuracy of a setup: farther from a singularity it does not change times and ways.
+  static constexpr double near_accuracies = 3.0;
   /// Of a bound, for what the analysis of a path may leave out between its places.
   static constexpr double sure_share = 0.998;
 
@@ -120,14 +125,15 @@ class PathLoads {
   };
   double passage_rate(const Tool& tool, std::uint32_t nearest, const Vec3& pole,
                       double about_rad) const;
-  bool is_near_singularity(const Extremes& extremes, double within_rad) const;
   /// Where the linear axes are farthest out of their ranges.
   struct WorstPlace {
     double excess_mm = 0.0;
     std::uint32_t tool = 0, piece = 0;
   };
   WorstPlace worst_place(const Clamping& clamping, int branch) const;
-  bool is_out_of_linear_range(const Clamping& clamping, int branch, const Spread& spread) const;
+  /// On both branches, all over the spread.
+  bool is_out_of_linear_range(const WorstPlace& place, const Clamping& clamping,
+                              const Spread& spread) const;
   bool may_be_within(int branch, Range<double> opening_rad) const;
   double ratio(const PerAxis& rates) const;
   double least_ratio(const RateBounds& bounds) const;

@@ -11,18 +11,17 @@ namespace {
 
 /// Bounds whose quotient is below this are one value.
 constexpr double close_enough = 1.001;
-/// Of the accuracy of a setup: farther from a singularity it does not change times and ways.
-constexpr double near_accuracies = 3.0;
 
 }  // namespace
 
-bool PathLoads::is_near_singularity(const Extremes& found, double within_rad) const {
+bool PathLoads::is_near_singularity(const Extremes& found, double within_rad,
+                                    double change_rad) const {
   if (tools_.empty()) return false;
   const AxisRates& rates = tools_.front().rates;
-  const Range<double> range{found.least_rad, std::max(found.least_rad, found.most_rad)};
-  return rates.has_singularity_between(range) ||
-         std::min(rates.singularity_distance_rad(range.lower),
-                  rates.singularity_distance_rad(range.upper)) <= within_rad;
+  const Range<double> inside{found.least_rad + change_rad, found.most_rad - change_rad};
+  return (inside.lower <= inside.upper && rates.has_singularity_between(inside)) ||
+         std::min(rates.singularity_distance_rad(found.least_rad),
+                  rates.singularity_distance_rad(found.most_rad)) <= within_rad - change_rad;
 }
 
 /// Least sum of `part` over all pieces.
@@ -48,7 +47,8 @@ double PathLoads::least_sum(const Clamping& clamping, const Spread& spread, bool
           if (node.time_s == 0.0) return false;
           const double gamma_rad = angle_between_rad(clamping.pole, node.group.centre.axis);
           if (tool.rates.singularity_distance_rad(gamma_rad) <=
-              node.group.spread.axis_rad + spread.pole_rad + limits_.slack_rad)
+              node.group.spread.axis_rad + node.farthest_turn_rad + spread.pole_rad +
+                  limits_.slack_rad)
             return true;
           const auto [adds, is_all] = least(node.group.centre, node.group.spread, node.time_s);
           if (!is_all && node.group.spread.axis_rad > fine_share * spread.pole_rad) return true;
@@ -137,7 +137,7 @@ double PathLoads::largest_sum(const Clampings& clampings, int branch, double tol
                               const Part& part) const {
   double largest = sum(clampings.nominal, branch, tolerance, part);
   if (!is_near_singularity(extremes(clampings.nominal, {}),
-                           near_accuracies * clampings.accuracy_rad))
+                           near_accuracies * clampings.accuracy_rad, 0.0))
     return largest;
   for (const Clamping& each : clampings.about)
     largest = std::max(largest, sum(each, branch, tolerance, part));

@@ -60,6 +60,8 @@ class SequencePieces {
     piece.time_s = time_s / count;
     piece.point = point;
     piece.is_straight = !segment.is_arc();
+    if (segment.is_arc())
+      piece.half_sweep_rad = static_cast<float>(0.5 * segment.sweep_rad() / count);
     for (int i = 0; i < count; ++i) {
       const double middle = (i + 0.5) / count;
       piece.middle = {.axis = segment.axis(middle).normalized(),

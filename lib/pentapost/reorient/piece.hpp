@@ -25,9 +25,10 @@ struct Piece {
   double time_s = 0.0;  ///< at the programmed feed
   /// By which the tool axis turns in the move, from its start to the middle of the piece and on.
   float turn_before_rad = 0.0F, turn_after_rad = 0.0F;
-  std::uint32_t point = 0;    ///< end of the move
-  std::uint32_t station = 0;  ///< of ToolPieces
-  bool is_straight = true;    ///< the velocity of the tip is that of the whole piece
+  std::uint32_t point = 0;      ///< end of the move
+  std::uint32_t station = 0;    ///< of ToolPieces
+  float half_sweep_rad = 0.0F;  ///< of an arc, in the piece
+  bool is_straight = true;      ///< the velocity of the tip is that of the whole piece
 
   double half_turn_rad() const { return 0.5 * time_s * middle.turn_rad_s.norm(); }
   /// At a time from the middle, at most half of time_s either way.

@@ -119,10 +119,14 @@ PieceTree::Node PieceTree::node_of(std::uint32_t begin, std::uint32_t end) const
         std::max(node.group.spread.tip_mm, (motion.tip_mm - node.group.centre.tip_mm).norm() +
                                                half_s * motion.tip_mm_s.norm());
     node.group.spread.tip_mm_s =
-        std::max(node.group.spread.tip_mm_s, (motion.tip_mm_s - node.group.centre.tip_mm_s).norm());
+        std::max(node.group.spread.tip_mm_s, (motion.tip_mm_s - node.group.centre.tip_mm_s).norm() +
+                                                 piece.half_sweep_rad * motion.tip_mm_s.norm());
     node.group.largest_turn_rad_s = std::max(node.group.largest_turn_rad_s, turn_rad_s);
     node.group.largest_tip_mm_s = std::max(node.group.largest_tip_mm_s, motion.tip_mm_s.norm());
     node.time_s += piece.time_s;
+    node.farthest_turn_rad =
+        std::max({node.farthest_turn_rad, static_cast<double>(piece.turn_before_rad),
+                  static_cast<double>(piece.turn_after_rad)});
   }
   node.group.spread.axis_rad = angle_by_chord_rad(axis_chord);
   const double angle_rad = std::min(node.group.spread.axis_rad, 0.5 * pi);

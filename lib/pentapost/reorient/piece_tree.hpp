@@ -16,6 +16,7 @@ class PieceTree {
   struct Node {
     MotionGroup group;                 ///< the motions of all pieces, through their whole time
     double time_s = 0.0;               ///< of all pieces
+    double farthest_turn_rad = 0.0;    ///< from a piece to an end of its move, the most
     std::uint32_t begin = 0, end = 0;  ///< pieces
     std::uint32_t second_half = 0;     ///< the first follows the node itself; 0: not divided
   };

@@ -75,16 +75,25 @@ Spread SetupValues::spread_of(const SetupDomain& domain, const SetupCell& cell,
   return spread;
 }
 
+/// Of the clampings about the setups of a region from those about its middle: their poles are as
+/// far off, but turning one way and then the other leaves a little turn.
+Spread SetupValues::about_spread(Spread spread) const {
+  spread.turn_rad *= 1.0 + accuracy_rad_;
+  spread.origin_mm *= 1.0 + accuracy_rad_;
+  return spread;
+}
+
 double SetupValues::least_ratio(const SetupValue& middle, const Spread& spread,
                                 std::span<const PeakPlace> places) const {
   double least = 0.0;
-  const auto take = [&](const PeakPlace& place, const Clamping& clamping) {
-    least = std::max(least, loads_.least_ratio(place, clamping, spread));
+  const auto take = [&](const PeakPlace& place, const Clamping& clamping, const Spread& about) {
+    least = std::max(least, loads_.least_ratio(place, clamping, about));
   };
-  for (const PeakPlace& place : places) take(place, middle.clampings.nominal);
+  for (const PeakPlace& place : places) take(place, middle.clampings.nominal, spread);
   // Every setup of the region has clampings about it in the place of those about the middle.
   if (middle.place) {
-    for (const Clamping& about : middle.clampings.about) take(*middle.place, about);
+    for (const Clamping& about : middle.clampings.about)
+      take(*middle.place, about, about_spread(spread));
     if (spread.pole_rad < middle.clampings.accuracy_rad &&
         loads_.meets_singularity(*middle.place, middle.clampings.nominal,
                                  middle.clampings.accuracy_rad - spread.pole_rad))
@@ -108,14 +117,17 @@ double SetupValues::least_value(const SetupDomain& domain, const SetupCell& cell
                                 const SetupValue& middle, std::span<const PeakPlace> places) const {
   const Spread spread = spread_of(domain, cell, middle.clampings.nominal);
   if (goal_ == Goal::peak_ratio) return least_ratio(middle, spread, places);
-  const auto least = [&](const Clamping& clamping) {
-    return goal_ == Goal::time ? loads_.least_time_s(clamping, spread)
-                               : loads_.least_travel_rad(clamping, spread);
+  const auto least = [&](const Clamping& clamping, const Spread& about) {
+    return goal_ == Goal::time ? loads_.least_time_s(clamping, about)
+                               : loads_.least_travel_rad(clamping, about);
   };
-  double value = least(middle.clampings.nominal);
+  double value = least(middle.clampings.nominal, spread);
   // In a region wider than the accuracy those about its middle tell nothing more.
-  if (spread.pole_rad < middle.clampings.accuracy_rad)
-    for (const Clamping& about : middle.clampings.about) value = std::max(value, least(about));
+  if (spread.pole_rad < accuracy_rad_ &&
+      loads_.is_near_singularity(middle.extremes, PathLoads::near_accuracies * accuracy_rad_,
+                                 spread.pole_rad))
+    for (const Clamping& about : middle.clampings.about)
+      value = std::max(value, least(about, about_spread(spread)));
   return value;
 }
 

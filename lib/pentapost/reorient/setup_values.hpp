@@ -72,6 +72,7 @@ class SetupValues {
                                       const PeakPlace& place) const;
 
  private:
+  Spread about_spread(Spread spread) const;
   Spread spread_of(const SetupDomain& domain, const SetupCell& cell, const Clamping& middle) const;
   double least_ratio(const SetupValue& middle, const Spread& spread,
                      std::span<const PeakPlace> places) const;
