@@ -4,8 +4,17 @@ namespace pentapost::server {
 namespace {
 
 std::string_view name_of(jobs::Cure::Kind kind) {
-  if (kind == jobs::Cure::Kind::feed) return "feed";
-  return kind == jobs::Cure::Kind::solution ? "solution" : "axis-change";
+  switch (kind) {
+    case jobs::Cure::Kind::feed:
+      return "feed";
+    case jobs::Cure::Kind::solution:
+      return "solution";
+    case jobs::Cure::Kind::axis_change:
+      return "axis-change";
+    case jobs::Cure::Kind::reorientation:
+      break;
+  }
+  return "reorientation";
 }
 
 void write_cures(JsonWriter& writer, const std::vector<jobs::Cure>& cures) {
@@ -16,6 +25,10 @@ void write_cures(JsonWriter& writer, const std::vector<jobs::Cure>& cures) {
     if (cure.kind == jobs::Cure::Kind::feed) writer.key("feed_mm_min").number(cure.feed_mm_min);
     if (cure.kind == jobs::Cure::Kind::axis_change)
       writer.key("pole_axis_deg").number(cure.axis_change_deg);
+    if (cure.kind == jobs::Cure::Kind::reorientation) {
+      writer.key("theta_x_deg").number(cure.theta_x_deg);
+      writer.key("theta_z_deg").number(cure.theta_z_deg);
+    }
     writer.key("peak_ratio").number(cure.peak_ratio);
     writer.key("time_lost_s").number(cure.time_lost_s);
     writer.end_object();

@@ -1,5 +1,6 @@
-// How fast CL data becomes a proven NC program, stage by stage, beside the floor that only reads
-// and prints the same count of numbers. Ends with the ratios that the project holds itself to.
+// How fast CL data becomes a proven NC program, stage by stage, and how fast it is analysed,
+// reoriented and compared, beside the floor that only reads and prints the same count of numbers.
+// Ends with the ratios that the project holds itself to.
 
 #include "five_axis_cl.hpp"
 #include "heap_count.hpp"
@@ -8,20 +9,26 @@
 #include "summary.hpp"
 
 #include "pentapost/cl/reader.hpp"
+#include "pentapost/jobs/compare.hpp"
+#include "pentapost/jobs/reorient.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace {
 
 using namespace pentapost;
 using namespace pentapost::bench;
 
-constexpr std::size_t sizes[]{100'000, 1'000'000};
+constexpr std::size_t sizes[]{10'000, 100'000, 1'000'000};
+/// Of the map that a reorientation is measured with.
+constexpr double map_step_deg = 2.0;
 
 /// The CL text of a size, made once.
 const std::string& cl_of(std::size_t points) {
@@ -134,6 +141,32 @@ void add_whole_analysis(std::size_t points, const Target& target) {
   });
 }
 
+void add_whole_reorient(std::size_t points, const Target& target, std::optional<double> step_deg) {
+  const std::string name = step_deg ? "whole_reorient/map" : "whole_reorient";
+  add(name, points, target.words, [target, step_deg](std::size_t size) {
+    return [job = std::make_shared<jobs::ReorientJob>(jobs::ReorientJob{
+                .job = bench_job(cl_of(size), target), .map_step_deg = step_deg})] {
+      const auto report = jobs::reorient(*job);
+      if (!report) throw std::logic_error{report.error().message};
+      return std::size_t{0};
+    };
+  });
+}
+
+void add_whole_compare(std::size_t points, const Target& target) {
+  constexpr std::size_t machines = 4;
+  add("whole_compare/" + std::to_string(machines) + "_machines", points, target.words,
+      [target](std::size_t size) {
+        return [job = std::make_shared<jobs::CompareJob>(jobs::CompareJob{
+                    .job = bench_job(cl_of(size), target),
+                    .machines = std::vector<machine::Definition>(machines, bench_machine())})] {
+          const auto report = jobs::compare(*job);
+          if (!report) throw std::logic_error{report.error().message};
+          return std::size_t{0};
+        };
+      });
+}
+
 void add_all() {
   for (const std::size_t points : sizes) {
     for (const int words : {5, 6, 7}) add_floor(points, words);
@@ -143,6 +176,9 @@ void add_all() {
     add_stage("choice", points, usual, &Stages::choose);
     add_stage("choice/all_solutions", points, usual, &Stages::search_branches);
     add_whole_analysis(points, usual);
+    add_whole_reorient(points, usual, std::nullopt);
+    add_whole_reorient(points, usual, map_step_deg);
+    add_whole_compare(points, usual);
     for (const Target& target : targets) {
       add_stage("plan/" + name_of(target), points, target, &Stages::plan);
       add_format(points, target);

@@ -72,7 +72,12 @@ jobs::AnalyseReport report() {
                   .time_lost_s = 51.5,
                   .peak_ratio = 52.5,
                   .axis_change_deg = 53.5},
-                 {.kind = jobs::Cure::Kind::solution, .time_lost_s = 54.5, .peak_ratio = 55.5}}}};
+                 {.kind = jobs::Cure::Kind::solution, .time_lost_s = 54.5, .peak_ratio = 55.5},
+                 {.kind = jobs::Cure::Kind::reorientation,
+                  .time_lost_s = 56.5,
+                  .peak_ratio = 57.5,
+                  .theta_x_deg = -58.5,
+                  .theta_z_deg = 59.5}}}};
   report.over_demands.total = 8;
   report.over_demands.zones = {
       {.axis = "Y", .from = place(33), .to = place(34), .peak_speed = 0.25}};
@@ -105,7 +110,9 @@ TEST(AnalysisJson, HasTheNamesOfTheContract) {
       R"("programmed_time_s":48.5,"time_lost_s":29.5,)"
       R"("cures":[{"kind":"feed","feed_mm_min":50.5,"peak_ratio":1,"time_lost_s":49.5},)"
       R"({"kind":"axis-change","pole_axis_deg":53.5,"peak_ratio":52.5,"time_lost_s":51.5},)"
-      R"({"kind":"solution","peak_ratio":55.5,"time_lost_s":54.5}]}],"zones_total":7,)"
+      R"({"kind":"solution","peak_ratio":55.5,"time_lost_s":54.5},)"
+      R"({"kind":"reorientation","theta_x_deg":-58.5,"theta_z_deg":59.5,"peak_ratio":57.5,)"
+      R"("time_lost_s":56.5}]}],"zones_total":7,)"
       R"("over_demands":[{"axis":"Y",)"
       R"("from":{"point":33,"cl_line":34,"s_mm":33.5,"tip_mm":[33.5,0,-8]},)"
       R"("to":{"point":34,"cl_line":35,"s_mm":34.5,"tip_mm":[34.5,0,-8]},)"

@@ -1,9 +1,8 @@
 #include "pentapost/jobs/reorientation.hpp"
 
 #include "pentapost/core/number_text.hpp"
+#include "pentapost/jobs/path_loads.hpp"
 #include "pentapost/path/turn.hpp"
-#include "pentapost/plan/candidates.hpp"
-#include "pentapost/reorient/piece.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,28 +37,6 @@ Goal goal_of(Objective objective) {
 /// What a value of the search is in the unit of the report.
 double in_unit(Objective objective, double value) {
   return objective == Objective::rotary_travel ? value * deg_per_rad : value;
-}
-
-bool has_speed_limit(const PreparedJob& prepared) {
-  const auto limits = analysis::speed_limits(prepared.model, prepared.settings);
-  return std::any_of(limits.begin(), limits.end(),
-                     [](const auto& limit) { return limit.has_value(); });
-}
-
-reorient::PathLoads::Limits limits_of(const PreparedJob& prepared, bool check_linear) {
-  const plan::Settings& settings = prepared.settings;
-  const analysis::Allowance allowance{analysis::speed_limits(prepared.model, settings), 1.0};
-  const auto& time_per_way_s = allowance.time_per_way_s;
-  const bool has_linear =
-      std::any_of(time_per_way_s.begin(), time_per_way_s.begin() + analysis::first_axis,
-                  [](double each) { return each > 0.0; });
-  const double freedom_rad = plan::axis_freedom_rad(settings.axis_tolerance_rad, settings.flank);
-  const bool wants_negative = settings.preferences.tilt == machine::Preferences::Tilt::negative;
-  return {.shares = {.time_per_way_s = time_per_way_s, .has_linear = has_linear},
-          .ranges = prepared.ranges,
-          .check_linear = check_linear,
-          .slack_rad = std::max(prepared.read.tool_path.axis_rounding_rad, freedom_rad),
-          .preferred_branch = wants_negative ? 1 : 0};
 }
 
 std::vector<double> evenly(double most_deg, double step_deg) {
@@ -133,9 +110,8 @@ Reorientation::Reorientation(const ReorientJob& job, const PreparedJob& prepared
       origin_known_{job.origin_mm.has_value() || job.job.setup.origin_mm.has_value()},
       has_limits_{has_speed_limit(prepared)},
       setups_{prepared_, origin_known_},
-      loads_{prepared.model, reorient::pieces_of(prepared.read.tool_path, prepared.settings),
-             limits_of(prepared,
-                       origin_known_ && !missing_gauge_length(job.job, prepared.read.tool_path))},
+      loads_{path_loads(prepared,
+                        origin_known_ && !missing_gauge_length(job.job, prepared.read.tool_path))},
       points_{prepared.read.tool_path.size()},
       baseline_{job.job.setup.theta_x_deg, job.job.setup.theta_z_deg, prepared.settings.origin_mm} {
 }
@@ -220,7 +196,7 @@ reorient::SetupChecks Reorientation::checks(Goal goal) {
 reorient::SearchOptions Reorientation::options(Goal goal) const {
   // A sum takes every part of the path for every cell, a peak few of them.
   const bool is_sum = goal != Goal::peak_ratio;
-  const double work = is_sum ? 8e6 : 1e8, fewest = is_sum ? 50.0 : 600.0;
+  const double work = is_sum ? 8e6 : 1e8, fewest = is_sum ? 50.0 : 300.0;
   const double most = is_sum ? 1000.0 : 4000.0;
   const double cells = work / static_cast<double>(std::max<std::size_t>(1, points_));
   return {.most_cells = static_cast<std::size_t>(std::clamp(cells, fewest, most)),

@@ -37,20 +37,23 @@ machine::Chain without_rotary_ranges(const machine::Chain& chain) {
 }
 
 /// 6.788 mm at 2000 mm/min take 0.2037 s, at the feed that C holds 1.6200 s.
-TEST(Cures, OfTheCrippsPathAreTheAxisChangeAndThenTheFeed) {
+TEST(Cures, OfTheCrippsPathAreTheAxisChangeTheReorientationAndThenTheFeed) {
   const auto report = analysed(cripps_job());
   ASSERT_EQ(report.zones.zones.size(), 1U);
   const auto& zone = report.zones.zones[0];
-  ASSERT_EQ(zone.cures.size(), 2U);
+  ASSERT_EQ(zone.cures.size(), 3U);
   EXPECT_EQ(zone.cures[0].kind, Cure::Kind::axis_change);
   EXPECT_NEAR(zone.cures[0].axis_change_deg, 1.05, 1e-9);
   EXPECT_LT(zone.cures[0].peak_ratio, 1.0);
   EXPECT_EQ(zone.cures[0].time_lost_s, 0.0);
-  EXPECT_EQ(zone.cures[1].kind, Cure::Kind::feed);
+  EXPECT_EQ(zone.cures[1].kind, Cure::Kind::reorientation);
+  EXPECT_LT(zone.cures[1].peak_ratio, 1.0);
+  EXPECT_EQ(zone.cures[1].time_lost_s, 0.0);
+  EXPECT_EQ(zone.cures[2].kind, Cure::Kind::feed);
   const double length_mm = zone.to.s_mm - zone.from.s_mm;
   const double feed_mm_min = 2000.0 * 150.0 / zone.peak_speed;
-  EXPECT_NEAR(zone.cures[1].feed_mm_min, feed_mm_min, 1e-6);
-  EXPECT_NEAR(zone.cures[1].time_lost_s, 60.0 * length_mm / feed_mm_min - 60.0 * length_mm / 2000.0,
+  EXPECT_NEAR(zone.cures[2].feed_mm_min, feed_mm_min, 1e-6);
+  EXPECT_NEAR(zone.cures[2].time_lost_s, 60.0 * length_mm / feed_mm_min - 60.0 * length_mm / 2000.0,
               1e-6);
 }
 
@@ -69,6 +72,70 @@ TEST(Cures, HoldWhatTheyPromise) {
   ASSERT_NE(at, std::string::npos);
   text.replace(at, feed.size(), "FEDRAT / 251.4");
   EXPECT_TRUE(analysed(by_feed).zones.zones.empty());
+}
+
+/// Largest ratio of any axis in the zone and its own length to either side.
+double peak_about(const jobs::AnalyseReport& report, const jobs::ZoneReport& zone) {
+  const auto& samples = report.samples.value();
+  const double length_mm = zone.to.s_mm - zone.from.s_mm;
+  double peak = 0.0;
+  for (std::size_t axis = 0; axis < report.axes.size(); ++axis)
+    for (std::size_t i = 0; i < samples.s_mm.size() && report.axes[axis].speed_limit; ++i)
+      if (samples.s_mm[i] >= zone.from.s_mm - length_mm &&
+          samples.s_mm[i] <= zone.to.s_mm + length_mm)
+        peak = std::max(
+            peak, std::abs(samples.axes[axis].speed[i]) / report.axes[axis].speed_limit.value());
+  return peak;
+}
+
+/// Analyses the job in the setup of the cure and looks at the place of the zone.
+void expect_promise_kept(jobs::AnalyseJob job, const jobs::ZoneReport& zone, const Cure& cure) {
+  job.job.setup.theta_x_deg = cure.theta_x_deg;
+  job.job.setup.theta_z_deg = cure.theta_z_deg;
+  job.samples = jobs::AnalyseJob::most_samples;
+  const auto report = analysed(job);
+  EXPECT_LE(std::abs(cure.theta_x_deg), 30.0);
+  EXPECT_TRUE(report.zones.zones.empty());
+  EXPECT_LT(report.peak_ratio.value(), 1.0);
+  // The ends of the window lie between two samples.
+  EXPECT_NEAR(peak_about(report, zone), cure.peak_ratio, 2e-3);
+  EXPECT_LE(cure.peak_ratio, report.peak_ratio.value() + 1e-9);
+}
+
+/// The paper's 10 deg leave 0.73 of the limit of 150 deg/s.
+TEST(Cures, ByAReorientationHoldWhatTheyPromise) {
+  const auto report = analysed(cripps_job());
+  const Cure* cure = cure_of(report.zones.zones.at(0), Cure::Kind::reorientation);
+  ASSERT_NE(cure, nullptr);
+  EXPECT_LT(cure->peak_ratio, 0.73);
+  expect_promise_kept(cripps_job(), report.zones.zones[0], *cure);
+}
+
+/// The angles of a cure are not counted from the job's own.
+TEST(Cures, ByAReorientationTakeThePlaceOfTheSetup) {
+  auto job = cripps_job();
+  job.job.setup.theta_z_deg = 35.0;
+  job.job.setup.theta_x_deg = 1.0;
+  const auto report = analysed(job);
+  ASSERT_FALSE(report.zones.zones.empty());
+  const Cure* cure = cure_of(report.zones.zones[0], Cure::Kind::reorientation);
+  ASSERT_NE(cure, nullptr);
+  expect_promise_kept(job, report.zones.zones[0], *cure);
+}
+
+TEST(Cures, OfALongPathAreSoughtWithoutAReorientation) {
+  auto job = cripps_job();
+  const auto whole = analysed(job);
+  std::string& text = std::get<jobs::ClText>(job.job.path).text;
+  const auto last = text.rfind("GOTO");
+  ASSERT_NE(last, std::string::npos);
+  std::string again;
+  for (int i = 0; i < 20'000; ++i) again += "GOTO / 50.0, -20.0, " + std::to_string(i % 2) + ".0\n";
+  text.insert(last, again);
+  const auto report = analysed(job);
+  ASSERT_EQ(report.zones.zones.size(), whole.zones.zones.size());
+  EXPECT_EQ(cure_of(report.zones.zones[0], Cure::Kind::reorientation), nullptr);
+  EXPECT_NE(cure_of(report.zones.zones[0], Cure::Kind::axis_change), nullptr);
 }
 
 TEST(Cures, OfAFlankCutLeaveTheAxisAlone) {

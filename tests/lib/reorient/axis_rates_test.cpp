@@ -55,38 +55,41 @@ void for_postures(std::uint64_t seed, const Check& check) {
 
 TEST(AxisRates, OfRotaryAxesAreThoseOfTheJoints) {
   int checked = 0;
-  for_postures(1, [&](const auto& machine, double gauge_mm, const AxisRates& rates,
-                      const Posture& at) {
-    const auto expected = sample::rates_by_joints(machine.model, gauge_mm, at.motion, at.to_table,
-                                                  at.origin_mm, at.branch);
-    if (!expected) return;
-    const auto found = rates.at(at.motion, at.clamping, at.branch);
-    ASSERT_TRUE(found) << machine.name;
-    const double scale = at.motion.turn_rad_s.norm() / at.opening_sine;
-    for (const std::size_t i : {analysis::first_axis, analysis::second_axis})
-      ASSERT_NEAR((*found)[i], (*expected)[i], 1e-9 * ((*expected)[i] + 1e-2 * scale))
-          << machine.name << " axis " << i << " sin B " << at.opening_sine;
-    ++checked;
-  });
+  for_postures(
+      1, [&](const auto& machine, double gauge_mm, const AxisRates& rates, const Posture& at) {
+        const auto expected = sample::rates_by_joints(machine.model, gauge_mm, at.motion,
+                                                      at.to_table, at.origin_mm, at.branch);
+        if (!expected) return;
+        const auto found = rates.at(at.motion, at.clamping, at.branch);
+        ASSERT_TRUE(found) << machine.name;
+        // Next to a singularity the rounding of the pole and the tool axis counts as much.
+        const double product = machine.model.fixed.sin_lambda_sin_mu;
+        const double share = 1e-9 + 1e-14 / (product * at.opening_sine * at.opening_sine);
+        const double scale = at.motion.turn_rad_s.norm() / (product * at.opening_sine);
+        for (const std::size_t i : {analysis::first_axis, analysis::second_axis})
+          ASSERT_NEAR((*found)[i], (*expected)[i], share * ((*expected)[i] + 1e-2 * scale))
+              << machine.name << " axis " << i << " sin B " << at.opening_sine;
+        ++checked;
+      });
   EXPECT_GT(checked, 10'000);
 }
 
 TEST(AxisRates, OfLinearAxesAreThoseOfTheJoints) {
   int checked = 0;
-  for_postures(2, [&](const auto& machine, double gauge_mm, const AxisRates& rates,
-                      const Posture& at) {
-    if (machine.model.fixed.linear_place < 0) return;
-    const auto expected = sample::rates_by_joints(machine.model, gauge_mm, at.motion, at.to_table,
-                                                  at.origin_mm, at.branch);
-    if (!expected) return;
-    const auto found = rates.at(at.motion, at.clamping, at.branch);
-    ASSERT_TRUE(found) << machine.name;
-    const double scale = (*expected)[0] + (*expected)[1] + (*expected)[2];
-    for (std::size_t i = 0; i < 3; ++i)
-      ASSERT_NEAR((*found)[i], (*expected)[i], 1e-9 * scale)
-          << machine.name << " axis " << i << " sin B " << at.opening_sine;
-    ++checked;
-  });
+  for_postures(
+      2, [&](const auto& machine, double gauge_mm, const AxisRates& rates, const Posture& at) {
+        if (machine.model.fixed.linear_place < 0) return;
+        const auto expected = sample::rates_by_joints(machine.model, gauge_mm, at.motion,
+                                                      at.to_table, at.origin_mm, at.branch);
+        if (!expected) return;
+        const auto found = rates.at(at.motion, at.clamping, at.branch);
+        ASSERT_TRUE(found) << machine.name;
+        const double scale = (*expected)[0] + (*expected)[1] + (*expected)[2];
+        for (std::size_t i = 0; i < 3; ++i)
+          ASSERT_NEAR((*found)[i], (*expected)[i], 1e-9 * scale)
+              << machine.name << " axis " << i << " sin B " << at.opening_sine;
+        ++checked;
+      });
   EXPECT_GT(checked, 5'000);
 }
 
@@ -99,14 +102,15 @@ TEST(AxisRates, LinearValuesAreThoseOfTheJoints) {
       ASSERT_FALSE(found) << machine.name;
       return;
     }
-    const auto solutions =
-        kinematics::inverse_rotary(machine.model, at.to_table * at.motion.axis);
+    const auto solutions = kinematics::inverse_rotary(machine.model, at.to_table * at.motion.axis);
     const auto& joints = solutions.branch[static_cast<std::size_t>(at.branch)];
-    const auto expected = kinematics::inverse_linear(
-        machine.model, at.to_table * at.motion.tip_mm + at.origin_mm, joints.first_rad,
-        joints.second_rad, gauge_mm);
+    const auto expected =
+        kinematics::inverse_linear(machine.model, at.to_table * at.motion.tip_mm + at.origin_mm,
+                                   joints.first_rad, joints.second_rad, gauge_mm);
     ASSERT_TRUE(expected && found) << machine.name;
-    ASSERT_LT((*found - *expected).norm(), 1e-8) << machine.name;
+    // The rounding of the tool axis counts next to a singularity.
+    const double near = machine.model.fixed.sin_lambda_sin_mu * at.opening_sine * at.opening_sine;
+    ASSERT_LT((*found - *expected).norm(), 1e-8 + 1e-11 / near) << machine.name;
     ++checked;
   });
   EXPECT_GT(checked, 5'000);
@@ -114,8 +118,7 @@ TEST(AxisRates, LinearValuesAreThoseOfTheJoints) {
 
 TEST(AxisRates, OpeningIsThatOfTheJoints) {
   for_postures(4, [&](const auto& machine, double, const AxisRates& rates, const Posture& at) {
-    const auto expected =
-        kinematics::inverse_rotary(machine.model, at.to_table * at.motion.axis);
+    const auto expected = kinematics::inverse_rotary(machine.model, at.to_table * at.motion.axis);
     const auto found = rates.opening_rad(angle_between_rad(at.clamping.pole, at.motion.axis));
     ASSERT_TRUE(found) << machine.name;
     ASSERT_NEAR(*found, expected.opening_rad, 1e-9) << machine.name;
@@ -127,8 +130,12 @@ TEST(AxisRates, HasNoOpeningOutOfReach) {
     const double least = std::abs(machine.model.lambda_rad - machine.model.mu_rad);
     const double most = machine.model.lambda_rad + machine.model.mu_rad;
     const AxisRates rates{machine.model, 0.0};
-    if (least > 1e-3) EXPECT_FALSE(rates.opening_rad(least - 1e-3)) << machine.name;
-    if (most < pi - 1e-3) EXPECT_FALSE(rates.opening_rad(most + 1e-3)) << machine.name;
+    if (least > 1e-3) {
+      EXPECT_FALSE(rates.opening_rad(least - 1e-3)) << machine.name;
+    }
+    if (most < pi - 1e-3) {
+      EXPECT_FALSE(rates.opening_rad(most + 1e-3)) << machine.name;
+    }
   }
 }
 
