@@ -34,6 +34,8 @@ class Search {
       result_.best = Trial{answer, *exact};
   }
 
+  void begin() { take(whole(domain_), 0.0, Hints{hints_}); }
+
   void take(const SetupCell& cell, double least_value, const Hints& hints) {
     if (is_forbidden(domain_, cell)) return;
     hints_ = hints;
@@ -152,7 +154,7 @@ SearchResult find_best(const SetupValues& values, const SetupDomain& domain,
   for (const Trial& each : first)
     if (domain.allows(each.setup)) search.offer(each.setup, each.value, gain_share);
   search.polish();
-  search.take(whole(domain), 0.0, {});
+  search.begin();
   return search.run();
 }
 

@@ -36,7 +36,15 @@ SetupValue SetupValues::evaluate(const SetupPoint& setup, Hints& hints, double t
     if (auto& serves = serve[static_cast<std::size_t>(branch)];
         serves && loads_.linear_excess_mm(found.clampings.nominal, branch) > 0.0)
       serves = false;
-  if (!serve[0] && !serve[1]) return found;
+  if (!serve[0] && !serve[1]) {
+    // Setups nearby may be possible: what is known of the path bounds them.
+    if (goal_ == Goal::peak_ratio && hints.places.empty())
+      if (const Peak peak =
+              loads_.peak(found.clampings, loads_.branch_of({true, true}), tolerance, {});
+          peak.place)
+        hints.remember(*peak.place);
+    return found;
+  }
   const int branch = loads_.branch_of(serve);
   switch (goal_) {
     case Goal::peak_ratio: {
