@@ -40,6 +40,7 @@ std::string reorient_json(const jobs::ReorientReport& report) {
   write_setup_report(writer.key("baseline"), report.baseline);
   write_setup_report(writer.key("best"), report.best);
   write_setup_report(writer.key("smallest_tilt"), report.smallest_tilt);
+  write_number(writer.key("smallest_tilt_gap_deg"), report.smallest_tilt_gap_deg);
   write_setups(writer, "pareto", report.pareto);
   write_setups(writer, "candidates", report.candidates);
   if (report.map) write_map(writer, *report.map);

@@ -109,6 +109,7 @@ TEST(ReorientJson, HasTheNamesOfTheContract) {
   full.objective = jobs::Objective::rotary_travel;
   full.best = setup();
   full.smallest_tilt = setup();
+  full.smallest_tilt_gap_deg = 0.25;
   full.pareto = {setup()};
   full.candidates = {impossible_setup(), setup()};
   full.map = jobs::SetupMap{.theta_x_deg = {0.0, 2.0},
@@ -122,8 +123,9 @@ TEST(ReorientJson, HasTheNamesOfTheContract) {
             R"({"machine":{"name":"demo","version":"1.1.0","sha256":"aa"},)"
             R"("cl":{"lines":11,"points":12,"units":"mm"},"objective":"rotary_travel",)"
             R"("baseline":)" +
-                bad + R"(,"best":)" + good + R"(,"smallest_tilt":)" + good + R"(,"pareto":[)" +
-                good + R"(],"candidates":[)" + bad + "," + good +
+                bad + R"(,"best":)" + good + R"(,"smallest_tilt":)" + good +
+                R"(,"smallest_tilt_gap_deg":0.25,"pareto":[)" + good + R"(],"candidates":[)" + bad +
+                "," + good +
                 R"(],"map":{"theta_x_deg":[0,2],"theta_z_deg":[0,90,180],)"
                 R"("value":[[1.5,null,2.5],[3.5,4.5,null]]},"optimality_gap":0.125,)"
                 R"("setups_evaluated":71,"setups_colliding":72,"obstacle":null,)"
@@ -135,8 +137,10 @@ TEST(ReorientJson, SaysNullWhereThereIsNoSetup) {
   none.obstacle = jobs::Obstacle{
       .kind = jobs::Obstacle::Kind::speed, .axis = "C", .message = "C needs 200 of 150 deg/s"};
   const auto text = reorient_json(none);
-  EXPECT_TRUE(contains(text, R"("best":null,"smallest_tilt":null,"pareto":[],"candidates":[],)"
-                             R"("optimality_gap":null)"))
+  EXPECT_TRUE(contains(
+      text,
+      R"("best":null,"smallest_tilt":null,"smallest_tilt_gap_deg":null,"pareto":[],"candidates":[],)"
+      R"("optimality_gap":null)"))
       << text;
   EXPECT_TRUE(contains(text, R"("obstacle":{"kind":"speed","axis":"C",)"
                              R"("message":"C needs 200 of 150 deg/s"},"diagnostics")"))

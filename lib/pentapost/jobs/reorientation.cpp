@@ -316,7 +316,9 @@ void Reorientation::find_smallest_tilt(ReorientReport& report) {
       reorient::find_smallest_tilt(values(Goal::peak_ratio), domain_, fine_tilt_deg,
                                    checks(Goal::peak_ratio), options(Goal::peak_ratio));
   evaluated_ += found.evaluated;
-  if (found.best) report.smallest_tilt = evaluated(found.best->setup);
+  if (!found.best) return;
+  report.smallest_tilt = evaluated(found.best->setup);
+  report.smallest_tilt_gap_deg = found.best->value - found.least_value;
 }
 
 /// Between no tilt and that of the best setup a few more, each better than those of less tilt.
