@@ -36,7 +36,10 @@ double PathLoads::passage_rate(const Tool& tool, std::uint32_t nearest, const Ve
     const double farthest_rad =
         about_rad + std::max(angle_between_rad(pole, before), angle_between_rad(pole, after));
     const double corner = std::tan(0.5 * farthest_rad) / std::tan(model_.lambda_rad);
-    const double corner_rad = corner < 1.0 ? std::asin(corner) : pi;
+    // Where a retract can lead to the other branch, it turns the other way there. Whole turns by a
+    // retract are none at feed.
+    const double branches = limits_.ranges.rotary_rad[0] ? 2.0 : 1.0;
+    const double corner_rad = corner < 1.0 ? branches * std::asin(corner) : pi;
     const double least_rad = seen_rad - may_turn_rad(before) - may_turn_rad(after) - corner_rad;
     const double time_s = stations[to].time_s - stations[from].time_s;
     if (least_rad > 0.0 && time_s > 0.0) rate = std::max(rate, least_rad / time_s);
@@ -46,8 +49,8 @@ double PathLoads::passage_rate(const Tool& tool, std::uint32_t nearest, const Ve
 
 double PathLoads::least_passage_ratio(const Clampings& clampings, const Extremes& found,
                                       const Spread& spread) const {
-  // The way must not lead through the pole itself, nor a rewind change the branch.
-  if (!has_pole_ || limits_.ranges.rotary_rad[0] || clampings.accuracy_rad <= limits_.slack_rad ||
+  // The way must not lead through the pole itself.
+  if (!has_pole_ || clampings.accuracy_rad <= limits_.slack_rad ||
       tools_.empty())
     return 0.0;
   const double about_rad = spread.pole_rad + clampings.accuracy_rad;
