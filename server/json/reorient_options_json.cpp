@@ -19,7 +19,7 @@ constexpr std::array objective_words{"peak_ratio"sv, "time"sv, "rotary_travel"sv
 constexpr std::array objectives{jobs::Objective::peak_ratio, jobs::Objective::time,
                                 jobs::Objective::rotary_travel};
 constexpr auto theta_x_key = "theta_x_deg"sv, theta_z_key = "theta_z_deg"sv;
-constexpr Domain tilt_domain{.lower = 0.0, .upper = 180.0, .lower_open = true};
+constexpr auto tilt_domain = Domain::between(0.0, 180.0);
 constexpr auto accuracy_domain = Domain::between(0.0, jobs::largest_setup_accuracy_deg);
 constexpr auto angle_domain =
     Domain::between(-jobs::largest_setup_angle_deg, jobs::largest_setup_angle_deg);

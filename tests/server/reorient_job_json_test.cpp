@@ -99,7 +99,7 @@ TEST(ReorientJobJson, TakesWords) {
 TEST(ReorientJobJson, RefusesWordsOutsideTheirDomain) {
   for (const auto& [name, text] :
        std::vector<std::pair<std::string, std::string>>{{"objective", "speed"},
-                                                        {"max_tilt_deg", "0"},
+                                                        {"max_tilt_deg", "-0.5"},
                                                         {"max_tilt_deg", "180.5"},
                                                         {"setup_accuracy_deg", "-0.01"},
                                                         {"setup_accuracy_deg", "5.01"},
@@ -148,7 +148,7 @@ TEST(ReorientJobJson, RefusesWithThePlace) {
            {R"("objectives": "time")", Code::unknown_key, "/objectives"},
            {R"("objective": "fast")", Code::out_of_domain, "/objective"},
            {R"("objective": 1)", Code::wrong_type, "/objective"},
-           {R"("max_tilt_deg": 0)", Code::out_of_domain, "/max_tilt_deg"},
+           {R"("max_tilt_deg": -0.5)", Code::out_of_domain, "/max_tilt_deg"},
            {R"("max_tilt_deg": 180.1)", Code::out_of_domain, "/max_tilt_deg"},
            {R"("max_tilt_deg": "30")", Code::wrong_type, "/max_tilt_deg"},
            {R"("setup_accuracy_deg": -1)", Code::out_of_domain, "/setup_accuracy_deg"},

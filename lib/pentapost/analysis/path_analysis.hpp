@@ -45,7 +45,7 @@ struct AnalysisOptions {
 /// What a path asks of a machine's axes at the programmed feed.
 struct PathAnalysis {
   std::vector<kinematics::Singularity> singularities;  ///< in workpiece coordinates of the setup
-  std::optional<Approach> closest;                     ///< over all cutting moves
+  std::vector<std::optional<Approach>> approaches;     ///< to each of them, over all cutting moves
   std::array<AxisPeak, axis_count> peaks{};            ///< over all cutting moves
   /// Largest inside the moves at an even feed, mm/s^2 or rad/s^2; nullopt: not asked for.
   std::optional<PerAxis> peak_accelerations;

@@ -66,7 +66,7 @@ std::optional<double> Recorder::time_s(const PerAxis& from, const PerAxis& to) c
 }
 
 PathAnalysis Recorder::finish() && {
-  analysis_.closest = survey_.closest();
+  analysis_.approaches = survey_.approaches();
   analysis_.peaks = survey_.peaks();
   analysis_.peak_accelerations = survey_.peak_accelerations();
   analysis_.zones = survey_.singular_zones();

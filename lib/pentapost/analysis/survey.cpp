@@ -61,18 +61,22 @@ void Survey::take_place(const SurveyedMove& move, const Place& place) {
 // Nearly all places are told by one product to be no nearer than the nearest so far.
 void Survey::approach(const SurveyedMove& move, const Place& place) {
   constexpr double rounding = 1e-15;
-  for (const Watched& each : watched_) {
+  for (Watched& each : watched_) {
     const double cosine = each.singularity.centre.dot(place.demand.axis);
     if (!(cosine > each.least_cosine && cosine < each.most_cosine)) continue;
     const double distance = kinematics::distance_rad(each.singularity, place.demand.axis);
-    if (closest_ && distance >= closest_->distance_rad) continue;
-    closest_ = Approach{distance, each.singularity.kind, move.place(place)};
-    for (Watched& other : watched_) {
-      const double half = other.singularity.half_angle_rad;
-      other.least_cosine = half + distance < pi ? std::cos(half + distance) - rounding : -2.0;
-      other.most_cosine = half > distance ? std::cos(half - distance) + rounding : 2.0;
-    }
+    if (each.closest && distance >= each.closest->distance_rad) continue;
+    each.closest = Approach{distance, each.singularity.kind, move.place(place)};
+    const double half = each.singularity.half_angle_rad;
+    each.least_cosine = half + distance < pi ? std::cos(half + distance) - rounding : -2.0;
+    each.most_cosine = half > distance ? std::cos(half - distance) + rounding : 2.0;
   }
+}
+
+std::vector<std::optional<Approach>> Survey::approaches() const {
+  std::vector<std::optional<Approach>> approaches;
+  for (const Watched& each : watched_) approaches.push_back(each.closest);
+  return approaches;
 }
 
 void Survey::extend(Zones& zones, bool is_inside, const SurveyedMove& move,

@@ -82,7 +82,8 @@ class Survey {
   const std::array<AxisPeak, axis_count>& peaks() const { return peaks_; }
   /// Largest of each axis, mm/s^2 or rad/s^2; nullopt: no place had any.
   const std::optional<PerAxis>& peak_accelerations() const { return peak_accelerations_; }
-  const std::optional<Approach>& closest() const { return closest_; }
+  /// Of each singularity; nullopt: nothing was cut.
+  std::vector<std::optional<Approach>> approaches() const;
   const std::vector<Zone>& singular_zones() const { return singular_.zones; }
   const std::vector<Zone>& plain_zones() const { return plain_.zones; }
   /// Of all moves so far, slowed down wherever an axis is over its limit.
@@ -94,9 +95,10 @@ class Survey {
     std::vector<Zone> zones = {};
     bool is_open = false;
   };
-  /// A singularity, and the cosines between which a tool axis is nearer to one than closest_.
+  /// A singularity, and the cosines between which a tool axis is nearer to it than all so far.
   struct Watched {
     kinematics::Singularity singularity;
+    std::optional<Approach> closest = {};
     double least_cosine = -2.0, most_cosine = 2.0;
   };
   /// Between two places.
@@ -115,7 +117,6 @@ class Survey {
   Allowance allowance_;
   std::array<AxisPeak, axis_count> peaks_{};
   std::optional<PerAxis> peak_accelerations_;
-  std::optional<Approach> closest_;
   Zones singular_{&Load::is_singular}, plain_{&Load::is_plainly_over};
   double predicted_time_s_ = 0.0;
 };

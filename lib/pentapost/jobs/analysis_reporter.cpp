@@ -105,6 +105,20 @@ bool is_in_range(const ReportFrame& frame, const kinematics::Singularity& singul
   return lowest_rad <= range->upper + slack_rad;
 }
 
+/// Singularities that the machine can take its tool axis to, and the way to the nearest of them.
+void report_singularities(const ReportFrame& frame, const PathAnalysis& analysis,
+                          AnalyseReport& report) {
+  for (std::size_t i = 0; i < analysis.singularities.size(); ++i) {
+    const kinematics::Singularity& each = analysis.singularities[i];
+    if (!is_in_range(frame, each)) continue;
+    report.singular_directions.push_back(
+        {each.kind, frame.to_cl * each.centre, each.half_angle_rad * deg_per_rad});
+    if (const auto& approach = analysis.approaches[i])
+      report.closest_approach_deg = std::min(report.closest_approach_deg.value_or(HUGE_VAL),
+                                             approach->distance_rad * deg_per_rad);
+  }
+}
+
 SampleColumns report_samples(const ReportFrame& frame,
                              const std::vector<analysis::Sample>& samples) {
   SampleColumns columns;
@@ -187,7 +201,6 @@ Status report_analysis(const ReportFrame& frame, PathAnalysis analysis, AnalyseR
   report.length_mm = analysis.length_mm;
   report.programmed_time_s = analysis.programmed_time_s;
   report.predicted_time_s = analysis.predicted_time_s;
-  if (analysis.closest) report.closest_approach_deg = analysis.closest->distance_rad * deg_per_rad;
   for (std::size_t axis = 0; axis < count_of(frame.model); ++axis) {
     report.axes.push_back(report_axis(frame, analysis, axis));
     if (const auto ratio = report.axes.back().peak_ratio)
@@ -202,10 +215,7 @@ Status report_analysis(const ReportFrame& frame, PathAnalysis analysis, AnalyseR
     each.at = in_cl(frame, each.at);
     report.repositioning_time_s += each.time_s.value_or(0.0);
   }
-  for (const auto& each : analysis.singularities)
-    if (is_in_range(frame, each))
-      report.singular_directions.push_back(
-          {each.kind, frame.to_cl * each.centre, each.half_angle_rad * deg_per_rad});
+  report_singularities(frame, analysis, report);
   if (!is_finite(report))
     return Problem{.code = Code::out_of_domain,
                    .message =

@@ -64,8 +64,8 @@ struct ReorientReport : ReportHead {
   std::optional<SetupReport> smallest_tilt;  ///< of the least tilt within limits; nullopt: none
   /// By how much less tilt another setup could be within limits; nullopt: there is no smallest.
   std::optional<double> smallest_tilt_gap_deg;
-  std::vector<SetupReport> pareto;           ///< least tilt first, each with a better objective
-  std::vector<SetupReport> candidates;       ///< those asked for, in order
+  std::vector<SetupReport> pareto;      ///< least tilt first, each with a better objective
+  std::vector<SetupReport> candidates;  ///< those asked for, in order
   std::optional<SetupMap> map;
   /// By how much a better setup than `best` could be better yet, in the unit of the objective.
   std::optional<double> optimality_gap;

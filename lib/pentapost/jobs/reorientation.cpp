@@ -109,6 +109,8 @@ Reorientation::Reorientation(const ReorientJob& job, const PreparedJob& prepared
       clearance_{std::move(clearance)},
       origin_known_{job.origin_mm.has_value() || job.job.setup.origin_mm.has_value()},
       has_limits_{has_speed_limit(prepared)},
+      has_twins_{!job.origin_mm &&
+                 reorient::has_twins(prepared.model, prepared.ranges, prepared.settings.origin_mm)},
       setups_{prepared_, origin_known_},
       loads_{path_loads(prepared,
                         origin_known_ && !missing_gauge_length(job.job, prepared.read.tool_path))},
@@ -203,6 +205,20 @@ reorient::SearchOptions Reorientation::options(Goal goal) const {
           .steps_per_unit = job_.setup_accuracy_deg > 0.0 ? steps_per_unit : 0.0};
 }
 
+/// Where nothing tells one place of the workpiece from another, it stays where it is wanted.
+SetupDomain Reorientation::domain(Goal goal) const {
+  SetupDomain domain = domain_;
+  if (clearance_ || loads_.has_linear_ranges() ||
+      (goal != Goal::travel && loads_.has_linear_speeds()))
+    return domain;
+  for (std::size_t i = 2; i < SetupDomain::dimensions; ++i) {
+    const reorient::Coordinate& places = domain_.coordinates[i];
+    const double wanted_mm = prepared_.settings.origin_mm[static_cast<Eigen::Index>(i) - 2];
+    domain.coordinates[i] = reorient::Coordinate::list({places.nearest(places.whole(), wanted_mm)});
+  }
+  return domain;
+}
+
 const SetupReport& Reorientation::evaluated(const SetupPoint& setup) {
   for (const auto& [known, report] : reports_)
     if (known == setup) return report;
@@ -240,13 +256,14 @@ void Reorientation::add_accuracy(const SetupPoint& setup, SetupReport& report) {
 }
 
 std::vector<Trial> Reorientation::trials(const std::vector<double>& theta_x_deg,
-                                         const std::vector<double>& theta_z_deg) {
+                                         const std::vector<double>& theta_z_deg,
+                                         const Vec3& origin_mm) {
   const reorient::SetupValues by_rates = values(goal_of(job_.objective));
   reorient::Hints hints;
   std::vector<Trial> trials;
   for (const double x_deg : theta_x_deg)
     for (const double z_deg : theta_z_deg) {
-      const SetupPoint setup{x_deg, z_deg, baseline_.origin_mm};
+      const SetupPoint setup{x_deg, z_deg, origin_mm};
       trials.push_back({setup, by_rates.evaluate(setup, hints, reorient::coarse_tolerance).value});
       ++evaluated_;
     }
@@ -259,7 +276,7 @@ SetupMap Reorientation::map() {
   SetupMap map{.theta_x_deg = evenly(job_.max_tilt_deg, *job_.map_step_deg),
                .theta_z_deg = evenly(most_turn_deg, *job_.map_step_deg),
                .value = {}};
-  trials_ = trials(map.theta_x_deg, map.theta_z_deg);
+  trials_ = trials(map.theta_x_deg, map.theta_z_deg, baseline_.origin_mm);
   const bool is_coarse = job_.objective == Objective::peak_ratio;
   for (std::size_t i = 0; i < trials_.size(); ++i) {
     if (i % map.theta_z_deg.size() == 0) map.value.emplace_back();
@@ -272,6 +289,17 @@ SetupMap Reorientation::map() {
   return map;
 }
 
+/// The setup or its twin, or else the nearest one that the jig can hold.
+SetupPoint Reorientation::within_bounds(const SetupPoint& setup) const {
+  SetupPoint same = setup;
+  same.theta_z_deg = std::remainder(setup.theta_z_deg, 360.0);
+  const SetupPoint nearest = domain_.nearest(same);
+  if (nearest == same || !has_twins_) return nearest;
+  const double turned_deg = same.theta_z_deg > 0.0 ? -180.0 : 180.0;
+  const SetupPoint twin{-same.theta_x_deg, same.theta_z_deg + turned_deg, same.origin_mm};
+  return domain_.nearest(twin) == twin ? twin : nearest;
+}
+
 /// What the search starts with: the setups that are named, and the best ones of a grid.
 std::vector<Trial> Reorientation::first_trials(double most_tilt_deg) const {
   constexpr std::size_t most_of_grid = 16;
@@ -280,9 +308,11 @@ std::vector<Trial> Reorientation::first_trials(double most_tilt_deg) const {
     return !std::isfinite(trial.value) || std::abs(trial.setup.theta_x_deg) > most_tilt_deg;
   });
   sort_by_value(best);
-  std::vector<Trial> first{{baseline_, 0.0}, {{0.0, 0.0, baseline_.origin_mm}, 0.0}};
+  std::vector<Trial> first{{within_bounds(baseline_), 0.0},
+                           {within_bounds({0.0, 0.0, baseline_.origin_mm}), 0.0}};
   for (const SetupAngles& each : job_.candidates)
-    first.push_back({{each.theta_x_deg, each.theta_z_deg, baseline_.origin_mm}, 0.0});
+    first.push_back(
+        {within_bounds({each.theta_x_deg, each.theta_z_deg, baseline_.origin_mm}), 0.0});
   std::erase_if(
       first, [&](const Trial& trial) { return std::abs(trial.setup.theta_x_deg) > most_tilt_deg; });
   // Which of the grid collide or are out of range is not known yet.
@@ -294,17 +324,23 @@ std::vector<Trial> Reorientation::first_trials(double most_tilt_deg) const {
 
 void Reorientation::find_best(ReorientReport& report) {
   const Goal goal = goal_of(job_.objective);
+  // The map is no matter of what the jig can hold.
+  std::erase_if(trials_, [&](const Trial& trial) { return !domain_.allows(trial.setup); });
   if (trials_.empty()) {
     // Of sums every one goes along the whole path.
     const bool is_slow = goal != Goal::peak_ratio && points_ > many_points;
     trials_ = trials(spread_over(domain_.coordinates[0], is_slow ? 3 : 13),
-                     spread_over(domain_.coordinates[1], is_slow ? 4 : 13));
+                     spread_over(domain_.coordinates[1], is_slow ? 4 : 13),
+                     domain_.nearest(baseline_).origin_mm);
   }
-  const auto found = reorient::find_best(values(goal), domain_, first_trials(job_.max_tilt_deg),
-                                         checks(goal), options(goal));
+  const auto found = reorient::find_best(
+      values(goal), domain(goal), first_trials(job_.max_tilt_deg), checks(goal), options(goal));
   evaluated_ += found.evaluated;
   if (!found.best) return;
-  report.best = evaluated(found.best->setup);
+  const SetupReport& best = evaluated(found.best->setup);
+  obstacle_ = best.obstacle;
+  if (!best.possible) return;
+  report.best = best;
   if (std::isfinite(found.best->value))
     report.optimality_gap =
         in_unit(job_.objective, std::max(0.0, found.best->value - found.least_value));
@@ -312,12 +348,14 @@ void Reorientation::find_best(ReorientReport& report) {
 
 void Reorientation::find_smallest_tilt(ReorientReport& report) {
   if (!has_limits_) return;
-  const auto found =
-      reorient::find_smallest_tilt(values(Goal::peak_ratio), domain_, fine_tilt_deg,
-                                   checks(Goal::peak_ratio), options(Goal::peak_ratio));
+  const auto found = reorient::find_smallest_tilt(
+      values(Goal::peak_ratio), domain(Goal::peak_ratio), fine_tilt_deg, checks(Goal::peak_ratio),
+      options(Goal::peak_ratio));
   evaluated_ += found.evaluated;
   if (!found.best) return;
-  report.smallest_tilt = evaluated(found.best->setup);
+  const SetupReport& smallest = evaluated(found.best->setup);
+  if (!smallest.possible) return;
+  report.smallest_tilt = smallest;
   report.smallest_tilt_gap_deg = found.best->value - found.least_value;
 }
 
@@ -341,7 +379,7 @@ void Reorientation::find_pareto(ReorientReport& report) {
   };
   for (int level = 0; level < levels; ++level) {
     const double tilt_deg = most_deg * level / levels;
-    const auto part = up_to(domain_, tilt_deg);
+    const auto part = up_to(domain(goal), tilt_deg);
     if (!part || most_deg == 0.0) continue;
     const auto found =
         reorient::find_best(values(goal), *part, first_trials(tilt_deg), checks(goal), quick);

@@ -32,13 +32,16 @@ class Reorientation {
   reorient::SetupValues values(reorient::Goal goal) const;
   reorient::SetupChecks checks(reorient::Goal goal);
   reorient::SearchOptions options(reorient::Goal goal) const;
+  reorient::SetupDomain domain(reorient::Goal goal) const;
 
   /// Kept, so that no setup is analysed twice for the answer; valid until the next call.
   const SetupReport& evaluated(const reorient::SetupPoint& setup);
   void add_accuracy(const reorient::SetupPoint& setup, SetupReport& report);
-  /// All pairs of angles, with coarse values; the better first.
+  /// All pairs of angles, with coarse values.
   std::vector<reorient::Trial> trials(const std::vector<double>& theta_x_deg,
-                                      const std::vector<double>& theta_z_deg);
+                                      const std::vector<double>& theta_z_deg,
+                                      const Vec3& origin_mm);
+  reorient::SetupPoint within_bounds(const reorient::SetupPoint& setup) const;
   SetupMap map();
   std::vector<reorient::Trial> first_trials(double most_tilt_deg) const;
   void find_best(ReorientReport& report);
@@ -52,6 +55,7 @@ class Reorientation {
   std::optional<clearance::Check> clearance_;
   bool origin_known_;
   bool has_limits_;
+  bool has_twins_;
   SetupAnalysis setups_;
   reorient::PathLoads loads_;
   std::size_t points_;

@@ -75,7 +75,7 @@ Result<reorient::SetupDomain> setup_choices(const ReorientJob& job, const Prepar
                        job.forbidden.empty();
   const bool twins = !job.origin_mm && reorient::has_twins(prepared.model, prepared.ranges,
                                                            prepared.settings.origin_mm);
-  auto theta_x = values_of(job.theta_x, "theta_x_deg", {-job.max_tilt_deg, job.max_tilt_deg});
+  auto theta_x = values_of(job.theta_x, "theta_x_deg", {0.0 - job.max_tilt_deg, job.max_tilt_deg});
   if (!theta_x) return std::move(theta_x).error();
   const double most_turn_deg = is_free && twins ? 90.0 : 180.0;
   auto theta_z = values_of(job.theta_z, "theta_z_deg", {-most_turn_deg, most_turn_deg});

@@ -50,9 +50,7 @@ double PathLoads::passage_rate(const Tool& tool, std::uint32_t nearest, const Ve
 double PathLoads::least_passage_ratio(const Clampings& clampings, const Extremes& found,
                                       const Spread& spread) const {
   // The way must not lead through the pole itself.
-  if (!has_pole_ || clampings.accuracy_rad <= limits_.slack_rad ||
-      tools_.empty())
-    return 0.0;
+  if (!has_pole_ || clampings.accuracy_rad <= limits_.slack_rad || tools_.empty()) return 0.0;
   const double about_rad = spread.pole_rad + clampings.accuracy_rad;
   if (found.least_rad > found.most_rad) return 0.0;
   const Vec3& pole = clampings.nominal.pole;

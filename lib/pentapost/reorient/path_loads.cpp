@@ -119,6 +119,12 @@ Extremes PathLoads::extremes(const Clamping& clamping, const Extremes& likely) c
   return found;
 }
 
+bool PathLoads::has_linear_ranges() const {
+  return limits_.check_linear &&
+         std::any_of(limits_.ranges.linear_mm.begin(), limits_.ranges.linear_mm.end(),
+                     [](const auto& range) { return range.has_value(); });
+}
+
 /// Whether the second axis can have an opening of that range on the branch within its own.
 bool PathLoads::may_be_within(int branch, Range<double> opening_rad) const {
   const auto& range = limits_.ranges.rotary_rad[1];

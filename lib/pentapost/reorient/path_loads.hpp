@@ -102,6 +102,9 @@ class PathLoads {
     return tools_[place.tool].tree.pieces()[place.piece].middle;
   }
   double programmed_time_s() const { return programmed_time_s_; }
+  /// Whether any linear axis is held to a speed, or to a range.
+  bool has_linear_speeds() const { return limits_.shares.has_linear; }
+  bool has_linear_ranges() const;
 
   /// Whether the path comes so near to a singularity in all clampings whose poles are within
   /// `change_rad` of the one that has the extremes.

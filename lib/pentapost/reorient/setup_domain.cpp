@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pentapost::reorient {
 namespace {
@@ -76,10 +77,29 @@ std::array<Coordinate::Part, 2> Coordinate::split(const Part& part) const {
 }
 
 bool SetupDomain::allows(const SetupPoint& point) const {
+  for (std::size_t i = 0; i < dimensions; ++i)
+    if (coordinates[i].nearest(coordinates[i].whole(), point[i]) != point[i]) return false;
   return std::none_of(forbidden.begin(), forbidden.end(), [&](const ForbiddenSetups& each) {
     return (!each.theta_x_deg || contains_angle(*each.theta_x_deg, point.theta_x_deg)) &&
            (!each.theta_z_deg || contains_angle(*each.theta_z_deg, point.theta_z_deg));
   });
+}
+
+SetupPoint SetupDomain::nearest(const SetupPoint& wanted) const {
+  SetupPoint found = wanted;
+  for (std::size_t i = 0; i < dimensions; ++i) {
+    const Coordinate& coordinate = coordinates[i];
+    double least = std::numeric_limits<double>::infinity();
+    for (const double turns_deg : {0.0, -360.0, 360.0}) {
+      if (i > 1 && turns_deg != 0.0) continue;
+      const double equal = wanted[i] + turns_deg;
+      const double value = coordinate.nearest(coordinate.whole(), equal);
+      if (!(std::abs(value - equal) < least)) continue;
+      least = std::abs(value - equal);
+      found[i] = value;
+    }
+  }
+  return found;
 }
 
 SetupCell whole(const SetupDomain& domain) {

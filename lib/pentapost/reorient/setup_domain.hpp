@@ -15,6 +15,11 @@ struct SetupPoint {
   Vec3 origin_mm = Vec3::Zero();                ///< CL origin in the table frame
   bool operator==(const SetupPoint&) const = default;
   /// By the dimensions of a SetupDomain.
+  double operator[](std::size_t dimension) const {
+    return dimension == 0   ? theta_x_deg
+           : dimension == 1 ? theta_z_deg
+                            : origin_mm[static_cast<Eigen::Index>(dimension) - 2];
+  }
   double& operator[](std::size_t dimension) {
     return dimension == 0   ? theta_x_deg
            : dimension == 1 ? theta_z_deg
@@ -62,6 +67,9 @@ struct SetupDomain {
   std::vector<ForbiddenSetups> forbidden;
 
   bool allows(const SetupPoint& point) const;
+  /// The setup whose numbers the coordinates have that is nearest to `wanted`, whole turns apart;
+  /// it may be forbidden.
+  SetupPoint nearest(const SetupPoint& wanted) const;
 };
 
 /// A part of the domain.

@@ -1,5 +1,6 @@
 #include "pentapost/analysis/cl_analysis.hpp"
 
+#include "lib/analysis/closest.hpp"
 #include "machines/bundled.hpp"
 #include "pentapost/cl/reader.hpp"
 
@@ -20,6 +21,8 @@ path::ToolPath paper_path(const std::string& name) {
   return std::move(read.path);
 }
 
+using sample::closest;
+
 PathAnalysis analysed(const std::string& cl_file) {
   const machine::Definition machine = sample::bundled_machine("hermle-c600u");
   const kinematics::Model model{machine.chain};
@@ -38,10 +41,10 @@ constexpr double rpm = 2.0 * pi / 60.0;
 /// The tip runs along X, 1 mm a GOTO: on that polyline the path passes the pole at 1.000 deg.
 TEST(CrippsOriginal, PassesThePoleAtOneDegreeWithCAtTwoHundredRevolutions) {
   const PathAnalysis analysis = analysed("cripps-2017-original.cl");
-  ASSERT_TRUE(analysis.closest);
-  EXPECT_EQ(analysis.closest->kind, kinematics::SingularityKind::pole);
-  EXPECT_NEAR(analysis.closest->distance_rad * deg_per_rad, 1.000, 0.0005);
-  EXPECT_NEAR(analysis.closest->at.tip_wp_mm.x(), 25.0, 1e-6);
+  ASSERT_TRUE(closest(analysis));
+  EXPECT_EQ(closest(analysis)->kind, kinematics::SingularityKind::pole);
+  EXPECT_NEAR(closest(analysis)->distance_rad * deg_per_rad, 1.000, 0.0005);
+  EXPECT_NEAR(closest(analysis)->at.tip_wp_mm.x(), 25.0, 1e-6);
   const AxisPeak& c = analysis.peaks[first_axis];
   EXPECT_NEAR(c.speed / rpm, 198.9, 0.1);
   EXPECT_NEAR(c.at.tip_wp_mm.x(), 25.0, 1e-3);
@@ -63,8 +66,8 @@ TEST(CrippsOriginal, HasOneZoneWhereCIsOverItsLimit) {
 
 TEST(CrippsReoriented, KeepsElevenDegreesAndHasNoZone) {
   const PathAnalysis analysis = analysed("cripps-2017-reoriented.cl");
-  ASSERT_TRUE(analysis.closest);
-  EXPECT_NEAR(analysis.closest->distance_rad * deg_per_rad, 11.000, 0.0005);
+  ASSERT_TRUE(closest(analysis));
+  EXPECT_NEAR(closest(analysis)->distance_rad * deg_per_rad, 11.000, 0.0005);
   EXPECT_NEAR(analysis.peaks[first_axis].speed / rpm, 18.2, 0.1);
   EXPECT_TRUE(analysis.zones.empty());
   EXPECT_TRUE(analysis.over_demands.empty());

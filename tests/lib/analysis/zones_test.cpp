@@ -1,3 +1,4 @@
+#include "lib/analysis/closest.hpp"
 #include "lib/analysis/cut.hpp"
 #include "pentapost/analysis/stretch.hpp"
 
@@ -10,6 +11,7 @@ namespace pentapost::analysis {
 namespace {
 
 using kinematics::SingularityKind;
+using sample::closest;
 using sample::Cut;
 using sample::tilted;
 
@@ -21,9 +23,9 @@ TEST(Zones, ANutatingTableHasOneAtTheBoundaryOfItsReach) {
   // dB / d(tilt) = sin(tilt) / (sin 45 deg sin 45 deg sin B); at 89.5 deg of tilt sin B = 0.186.
   for (int i = 0; i <= 39; ++i) cut.to(tilted(70.0 + 0.5 * i, 20.0));
   const PathAnalysis analysis = cut.analysed();
-  ASSERT_TRUE(analysis.closest);
-  EXPECT_EQ(analysis.closest->kind, SingularityKind::reach_boundary);
-  EXPECT_NEAR(analysis.closest->distance_rad * deg_per_rad, 0.5, 1e-6);
+  ASSERT_TRUE(closest(analysis));
+  EXPECT_EQ(closest(analysis)->kind, SingularityKind::reach_boundary);
+  EXPECT_NEAR(closest(analysis)->distance_rad * deg_per_rad, 0.5, 1e-6);
   ASSERT_EQ(analysis.zones.size(), 1U);
   const Zone& zone = analysis.zones[0];
   EXPECT_EQ(zone.closest->kind, SingularityKind::reach_boundary);
@@ -46,7 +48,7 @@ TEST(Zones, AHeadHasOneAtItsPole) {
   ASSERT_EQ(analysis.zones.size(), 1U);
   EXPECT_EQ(analysis.zones[0].closest->kind, SingularityKind::pole);
   EXPECT_EQ(analysis.zones[0].axis, first_axis);
-  EXPECT_NEAR(analysis.closest->distance_rad, std::atan(0.01), 1e-9);
+  EXPECT_NEAR(closest(analysis)->distance_rad, std::atan(0.01), 1e-9);
   // The great circle from point to point turns fastest half way: dC/dx = 0.02 / 0.01 per mm.
   EXPECT_NEAR(analysis.peaks[first_axis].speed, 0.02 / 0.01 * 2000.0 / 60.0, 0.05);
 }
@@ -57,7 +59,7 @@ TEST(Zones, AThreeAxisMachineHasNone) {
   const PathAnalysis analysis = cut.analysed();
   EXPECT_TRUE(analysis.singularities.empty());
   EXPECT_TRUE(analysis.zones.empty());
-  EXPECT_FALSE(analysis.closest);
+  EXPECT_FALSE(closest(analysis));
   EXPECT_NEAR(analysis.peaks[0].speed, 2000.0 / 60.0, 1e-9);
   EXPECT_NEAR(analysis.length_mm, 4.0, 1e-12);
 }
@@ -67,8 +69,8 @@ TEST(Zones, ExactlyThroughThePoleTheRatesAreFiniteAndCRests) {
   Cut cut{"hermle-c600u"};
   for (int i = -5; i <= 5; ++i) cut.to({0.0, 0.01 * i, 1.0});
   const PathAnalysis analysis = cut.analysed();
-  ASSERT_TRUE(analysis.closest);
-  EXPECT_NEAR(analysis.closest->distance_rad, 0.0, 1e-12);
+  ASSERT_TRUE(closest(analysis));
+  EXPECT_NEAR(closest(analysis)->distance_rad, 0.0, 1e-12);
   EXPECT_LT(analysis.peaks[first_axis].speed, 1e-6);
   // dA/dx = 0.01 per mm at the pole.
   EXPECT_NEAR(analysis.peaks[second_axis].speed, 0.01 * 2000.0 / 60.0, 1e-4);
@@ -80,7 +82,7 @@ TEST(Zones, ThroughThePoleBetweenTwoPointsToo) {
   Cut cut{"hermle-c600u"};
   for (int i = -5; i <= 4; ++i) cut.to({0.0, 0.01 * (i + 0.5), 1.0});
   const PathAnalysis analysis = cut.analysed();
-  EXPECT_NEAR(analysis.closest->distance_rad, 0.0, 1e-9);
+  EXPECT_NEAR(closest(analysis)->distance_rad, 0.0, 1e-9);
   EXPECT_LT(analysis.peaks[first_axis].speed, 1e-6);
   EXPECT_TRUE(analysis.zones.empty());
 }
@@ -93,7 +95,7 @@ TEST(Zones, ByTheDigitsOfTheClDataThePoleIsNotMissed) {
   const PathAnalysis analysis = cut.analysed();
   // At the points beside it C is 2e-5 rad off, 0.5 mm from it.
   EXPECT_LT(analysis.peaks[first_axis].speed, 2e-5 / 0.5 * 2000.0 / 60.0 * 1.1);
-  EXPECT_NEAR(analysis.closest->distance_rad, 0.0, 1e-12);
+  EXPECT_NEAR(closest(analysis)->distance_rad, 0.0, 1e-12);
   EXPECT_TRUE(analysis.zones.empty());
   EXPECT_NEAR(analysis.predicted_time_s, analysis.programmed_time_s, 1e-9);
 }
@@ -181,9 +183,9 @@ TEST(Zones, AToolThatRestsOnTheEndOfTheReachIsCuttingLikeAnyOther) {
   const PathAnalysis analysis = cut.analysed();
   EXPECT_NEAR(analysis.programmed_time_s, 0.3, 1e-12);
   EXPECT_NEAR(analysis.predicted_time_s, 0.3, 1e-12);
-  ASSERT_TRUE(analysis.closest);
-  EXPECT_EQ(analysis.closest->kind, SingularityKind::reach_boundary);
-  EXPECT_NEAR(analysis.closest->distance_rad, 0.0, 1e-12);
+  ASSERT_TRUE(closest(analysis));
+  EXPECT_EQ(closest(analysis)->kind, SingularityKind::reach_boundary);
+  EXPECT_NEAR(closest(analysis)->distance_rad, 0.0, 1e-12);
   EXPECT_EQ(analysis.peaks[first_axis].speed, 0.0);
   EXPECT_EQ(analysis.peaks[second_axis].speed, 0.0);
   // The table lies flat on its side and the tip goes along one of the linear axes.

@@ -100,17 +100,31 @@ TEST(AnalyseSingularDirections, LeaveOutWhatTheRangesDoNotReach) {
   EXPECT_EQ(report.singular_directions[0].half_angle_deg, 0.0);
 }
 
-TEST(AnalyseSingularDirections, HaveThePoleOfAnEndlessTilt) {
-  auto job = tilt_job("hermle-c600u", 600.0);
-  const auto& chain = job.job.machine.chain;
+machine::Chain with_endless_table(const machine::Chain& chain) {
   std::vector<machine::Joint> table{chain.table().begin(), chain.table().end()};
   for (auto& joint : table)
     if (auto* rotary = std::get_if<machine::RotaryJoint>(&joint.kind)) rotary->range.reset();
-  job.job.machine.chain = *machine::Chain::make(table, {chain.head().begin(), chain.head().end()},
-                                                UnitVector::normalised(Vec3::UnitZ()));
+  return *machine::Chain::make(table, {chain.head().begin(), chain.head().end()},
+                               UnitVector::normalised(Vec3::UnitZ()));
+}
+
+TEST(AnalyseSingularDirections, HaveThePoleOfAnEndlessTilt) {
+  auto job = tilt_job("hermle-c600u", 600.0);
+  job.job.machine.chain = with_endless_table(job.job.machine.chain);
   const auto report = analysed(job);
   ASSERT_EQ(report.singular_directions.size(), 2U);
   EXPECT_EQ(report.singular_directions[1].direction, Vec3(0.0, 0.0, -1.0));
+}
+
+/// At 105 deg from the pole at z the other one would be nearer, but A stops at 110 deg.
+TEST(AnalyseSingularDirections, AreApproachedOnlyWithinTheRanges) {
+  jobs::AnalyseJob job{
+      .job = sample::cl_job("hermle-c600u",
+                            sample::cl_program("GOTO/0,0,0,0,0.96592583,-0.25881905\n"
+                                               "GOTO/5,0,0,0,0.98480775,-0.17364818\n"))};
+  EXPECT_NEAR(analysed(job).closest_approach_deg.value(), 100.0, 1e-6);
+  job.job.machine.chain = with_endless_table(job.job.machine.chain);
+  EXPECT_NEAR(analysed(job).closest_approach_deg.value(), 75.0, 1e-6);
 }
 
 TEST(AnalyseThreeAxes, HaveNoSingularity) {

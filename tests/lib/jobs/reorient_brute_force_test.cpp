@@ -46,8 +46,17 @@ double value_of(Objective objective, const jobs::SetupReport& setup) {
   return setup.peak_unbounded ? infinite : setup.peak_ratio.value_or(0.0);
 }
 
+bool is_of_choice(const jobs::AngleChoice& choice, double angle_deg) {
+  if (choice.step_deg && std::remainder(angle_deg, *choice.step_deg) != 0.0) return false;
+  const auto& list = choice.allowed_deg;
+  return list.empty() || std::find(list.begin(), list.end(), angle_deg) != list.end();
+}
+
 bool is_allowed(const jobs::ReorientJob& job, const jobs::Setup& setup) {
   if (std::abs(setup.theta_x_deg) > job.max_tilt_deg) return false;
+  if (!is_of_choice(job.theta_x, setup.theta_x_deg) ||
+      !is_of_choice(job.theta_z, setup.theta_z_deg))
+    return false;
   for (const auto& each : job.forbidden)
     if ((!each.theta_x_deg || each.theta_x_deg->contains(setup.theta_x_deg)) &&
         (!each.theta_z_deg || each.theta_z_deg->contains(setup.theta_z_deg)))

@@ -111,17 +111,6 @@ TEST(ReorientMachine, NeedsASpeedLimitButForTheTravel) {
   EXPECT_TRUE(reoriented(job).best);
 }
 
-TEST(ReorientChoices, KeepToTheStepsOfAJig) {
-  ReorientJob job = cripps_job();
-  job.theta_x.step_deg = 5.0;
-  job.theta_z.allowed_deg = {0.0, 90.0, -45.0};
-  const auto report = reoriented(job);
-  ASSERT_TRUE(report.best);
-  const auto& setup = report.best->setup;
-  EXPECT_EQ(std::remainder(setup.theta_x_deg, 5.0), 0.0);
-  EXPECT_TRUE(setup.theta_z_deg == 0.0 || setup.theta_z_deg == 90.0 || setup.theta_z_deg == -45.0);
-}
-
 TEST(ReorientObstacle, NamesTheAxisThatIsTooSlow) {
   ReorientJob job = tilt_job("hermle-c600u", 60'000.0);
   job.max_tilt_deg = 1.0;
@@ -143,6 +132,19 @@ TEST(ReorientObstacle, IsThereWhereNoSetupIsPossible) {
   EXPECT_FALSE(report.best);
   EXPECT_FALSE(report.baseline.possible);
   EXPECT_TRUE(report.obstacle);
+}
+
+/// So far off that its length is no number.
+TEST(ReorientObstacle, IsThereWhereThePathIsTooLong) {
+  ReorientJob job = tilt_job("hermle-c600u", 600.0);
+  job.job.path = jobs::PointPath{.feed_mm_min = 600.0,
+                                 .tip_mm = {Vec3{-1e308, 0, 0}, Vec3{1e308, 0, 0}},
+                                 .axis = {Vec3{0, 0.6, 0.8}, Vec3{0, 0.8, 0.6}}};
+  const auto report = jobs::reorient(job);
+  if (!report) return;
+  EXPECT_FALSE(report->best);
+  EXPECT_FALSE(report->smallest_tilt);
+  EXPECT_TRUE(report->obstacle);
 }
 
 TEST(ReorientPath, MayBeOnePoint) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lib/analysis/closest.hpp"
 #include "pentapost/analysis/cl_analysis.hpp"
 #include "pentapost/jobs/prepared_job.hpp"
 #include "pentapost/jobs/setup_report.hpp"
@@ -63,10 +64,11 @@ class SetupOracle {
                      int count) const {
     double largest = value(objective, to_table);
     if (distance_deg == 0.0 || !std::isfinite(largest)) return largest;
-    if (const auto found = analysed(to_table);
-        objective == jobs::Objective::peak_ratio && found->closest &&
-        found->closest->distance_rad <= distance_deg * rad_per_deg)
-      return std::numeric_limits<double>::infinity();
+    if (objective == jobs::Objective::peak_ratio) {
+      const auto approach = closest(*analysed(to_table));
+      if (approach && approach->distance_rad <= distance_deg * rad_per_deg)
+        return std::numeric_limits<double>::infinity();
+    }
     const Vec3 pole = to_table.transpose() * prepared_.model.a;
     const Vec3 aside = pole.unitOrthogonal();
     for (int i = 0; i < count; ++i) {
