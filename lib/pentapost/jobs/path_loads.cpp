@@ -23,7 +23,8 @@ reorient::PathLoads path_loads(const PreparedJob& prepared, bool check_linear) {
            .ranges = prepared.ranges,
            .check_linear = check_linear,
            .slack_rad = std::max(prepared.read.tool_path.axis_rounding_rad, freedom_rad),
-           .preferred_branch = wants_negative ? 1 : 0}};
+           .preferred_branch = wants_negative ? 1 : 0,
+           .rule = {prepared.model, prepared.ranges, settings, prepared.read.tool_path}}};
 }
 
 bool has_speed_limit(const PreparedJob& prepared) {

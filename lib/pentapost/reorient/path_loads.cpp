@@ -160,6 +160,43 @@ int PathLoads::branch_of(const Branches& branches) const {
                                                          : 1 - limits_.preferred_branch;
 }
 
+Branches PathLoads::possible_branches(const Clamping& clamping, const Extremes& found,
+                                      const Spread& spread) const {
+  constexpr Branches both{true, true};
+  if (tools_.empty() || found.least_rad > found.most_rad) return both;
+  const double change = spread.pole_rad + limits_.slack_rad;
+  const auto branch = limits_.rule.settled(tools_.front().rates,
+                                           {found.least_rad - change, found.most_rad + change},
+                                           clamping.origin_from_a_mm.norm() + spread.origin_mm);
+  if (!branch || (has_linear_ranges() && !keeps_to_linear_ranges(clamping, *branch, spread)))
+    return both;
+  return {*branch == 0, *branch == 1};
+}
+
+bool PathLoads::keeps_to_linear_ranges(const Clamping& clamping, int branch,
+                                       const Spread& spread) const {
+  bool keeps = true;
+  for (const Tool& tool : tools_) {
+    const auto may_leave = [&](const ToolMotion& motion, const Spread& of_motion) {
+      Spread both = together(of_motion, spread);
+      both.axis_rad += limits_.slack_rad;
+      const auto linear = tool.rates.linear_mm(motion, clamping, branch);
+      return !linear || !(excess_mm(*linear, tool.rates.linear_change_mm(motion, clamping, branch,
+                                                                         both)) <= 0.0);
+    };
+    descend(
+        tool.tree,
+        [&](const PieceTree::Node& node) {
+          return keeps && may_leave(node.group.centre, node.group.spread);
+        },
+        [&](std::uint32_t index) {
+          const Piece& piece = tool.tree.pieces()[index];
+          keeps = keeps && !may_leave(piece.middle, spread_of(piece));
+        });
+  }
+  return keeps;
+}
+
 /// By how much a joint leaves its range where all may be changed by so much.
 double PathLoads::excess_mm(const Vec3& linear_mm, const Vec3& change_mm) const {
   double excess = -infinite;
@@ -372,7 +409,7 @@ bool PathLoads::is_impossible(const Clamping& clamping, const Extremes& found,
 }
 
 double PathLoads::least_ratio(const PeakPlace& place, const Clamping& clamping,
-                              const Spread& spread) const {
+                              const Spread& spread, const Branches& branches) const {
   const Tool& tool = tools_[place.tool];
   const Piece& piece = tool.tree.pieces()[place.piece];
   const auto whole_move = gammas_of_move(piece, clamping.pole);
@@ -385,6 +422,7 @@ double PathLoads::least_ratio(const PeakPlace& place, const Clamping& clamping,
     return 0.0;
   double least = infinite;
   for (const int branch : {0, 1}) {
+    if (!branches[static_cast<std::size_t>(branch)]) continue;
     double largest = 0.0;
     const auto take = [&](double from_middle_s) {
       RateBounds bounds = tool.rates.bounds(piece.at(from_middle_s), clamping, branch, spread);

@@ -3,6 +3,7 @@
 #include "pentapost/kinematics/model.hpp"
 #include "pentapost/plan/branches.hpp"
 #include "pentapost/reorient/axis_rates.hpp"
+#include "pentapost/reorient/branch_rule.hpp"
 #include "pentapost/reorient/clamping.hpp"
 #include "pentapost/reorient/piece.hpp"
 #include "pentapost/reorient/piece_tree.hpp"
@@ -55,6 +56,7 @@ class PathLoads {
     double slack_rad = 0.0;
     /// The branch that is taken where both serve.
     int preferred_branch = 0;
+    BranchRule rule = {};
   };
   /// For two rotary joints.
   PathLoads(const kinematics::Model& model, std::vector<ToolPieces> tools, const Limits& limits);
@@ -67,6 +69,10 @@ class PathLoads {
   /// is out of reach or range but for a change of branch on the way.
   Branches branches(const Extremes& extremes) const;
   int branch_of(const Branches& branches) const;
+  /// Branches on which the path may be in a clamping within the spread.
+  /// @param extremes  of the clamping.
+  Branches possible_branches(const Clamping& clamping, const Extremes& extremes,
+                             const Spread& spread) const;
   /// By how much the linear axes leave their ranges at most; 0: they don't.
   double linear_excess_mm(const Clamping& clamping, int branch) const {
     return worst_place(clamping, branch).excess_mm;
@@ -86,8 +92,9 @@ class PathLoads {
   /// Whether all clampings within the spread are out of reach or range.
   bool is_impossible(const Clamping& clamping, const Extremes& extremes,
                      const Spread& spread) const;
-  /// No clamping within the spread has a lower ratio at that place of the path.
-  double least_ratio(const PeakPlace& place, const Clamping& clamping, const Spread& spread) const;
+  /// No clamping within the spread has a lower ratio at that place of the path on those branches.
+  double least_ratio(const PeakPlace& place, const Clamping& clamping, const Spread& spread,
+                     const Branches& branches) const;
   /// Whether the tool axis comes so near to a singularity there while it turns.
   bool meets_singularity(const PeakPlace& place, const Clamping& clamping, double within_rad) const;
   /// The same for a setup whose clampings about it, that far from it, keep off the path of the tool
@@ -95,8 +102,10 @@ class PathLoads {
   /// of the passage are seen under from the pole. 0 where that tells nothing.
   double least_passage_ratio(const Clampings& clampings, const Extremes& extremes,
                              const Spread& spread) const;
-  double least_time_s(const Clamping& clamping, const Spread& spread) const;
-  double least_travel_rad(const Clamping& clamping, const Spread& spread) const;
+  double least_time_s(const Clamping& clamping, const Spread& spread,
+                      const Branches& branches) const;
+  double least_travel_rad(const Clamping& clamping, const Spread& spread,
+                          const Branches& branches) const;
 
   const ToolMotion& motion(const PeakPlace& place) const {
     return tools_[place.tool].tree.pieces()[place.piece].middle;
@@ -138,6 +147,7 @@ class PathLoads {
   bool is_out_of_linear_range(const WorstPlace& place, const Clamping& clamping,
                               const Spread& spread) const;
   bool may_be_within(int branch, Range<double> opening_rad) const;
+  bool keeps_to_linear_ranges(const Clamping& clamping, int branch, const Spread& spread) const;
   double ratio(const PerAxis& rates) const;
   double least_ratio(const RateBounds& bounds) const;
   PieceRatio ratio_of_piece(const Tool& tool, const Piece& piece, const Clamping& clamping,
@@ -146,8 +156,9 @@ class PathLoads {
                          double within_rad) const;
   double excess_mm(const Vec3& linear_mm, const Vec3& change_mm) const;
 
+  Branches one_if_equal(const Branches& branches) const;
   template <class Part>
-  double least_sum(const Clamping& clamping, const Spread& spread, bool branches_are_equal,
+  double least_sum(const Clamping& clamping, const Spread& spread, const Branches& branches,
                    const Part& part) const;
   template <class Part>
   double sum(const Clamping& clamping, int branch, double tolerance, const Part& part) const;

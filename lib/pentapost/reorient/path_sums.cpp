@@ -24,20 +24,26 @@ bool PathLoads::is_near_singularity(const Extremes& found, double within_rad,
                   rates.singularity_distance_rad(found.most_rad)) <= within_rad - change_rad;
 }
 
+/// One of the branches where both have the same rotary speeds and nothing else counts.
+Branches PathLoads::one_if_equal(const Branches& branches) const {
+  const bool is_equal = !tools_.empty() && tools_.front().rates.has_equal_branches();
+  return is_equal ? Branches{true, false} : branches;
+}
+
 /// Least sum of `part` over all pieces.
-/// @param branches_are_equal  where the rotary speeds are: nothing else counts.
 /// @param part  of a time and bounds of the rates in it: the least it adds, and whether that is all
 ///        that there is to know.
 template <class Part>
-double PathLoads::least_sum(const Clamping& clamping, const Spread& spread, bool branches_are_equal,
-                            const Part& part) const {
+double PathLoads::least_sum(const Clamping& clamping, const Spread& spread,
+                            const Branches& branches, const Part& part) const {
   constexpr double fine_share = 0.5;
   double total = 0.0;
   for (const Tool& tool : tools_) {
     const auto least = [&](const ToolMotion& motion, const Spread& of_motion, double time_s) {
       const Spread both = together(of_motion, spread);
-      const auto first = part(time_s, tool.rates.bounds(motion, clamping, 0, both));
-      if (branches_are_equal && tool.rates.has_equal_branches()) return first;
+      const int one = branches[0] ? 0 : 1;
+      const auto first = part(time_s, tool.rates.bounds(motion, clamping, one, both));
+      if (!branches[0] || !branches[1]) return first;
       const auto second = part(time_s, tool.rates.bounds(motion, clamping, 1, both));
       return std::pair{std::min(first.first, second.first), first.second && second.second};
     };
@@ -72,21 +78,25 @@ double PathLoads::least_sum(const Clamping& clamping, const Spread& spread, bool
   return sure_share * total;
 }
 
-double PathLoads::least_time_s(const Clamping& clamping, const Spread& spread) const {
+double PathLoads::least_time_s(const Clamping& clamping, const Spread& spread,
+                               const Branches& branches) const {
   // What is not slowed down takes its time, to the last digit.
   const double least = least_sum(
-      clamping, spread, !limits_.shares.has_linear, [&](double time_s, const RateBounds& bounds) {
+      clamping, spread, limits_.shares.has_linear ? branches : one_if_equal(branches),
+      [&](double time_s, const RateBounds& bounds) {
         return std::pair{time_s * std::max(1.0, least_ratio(bounds)), !(ratio(bounds.upper) > 1.0)};
       });
   return std::max(programmed_time_s_, least);
 }
 
-double PathLoads::least_travel_rad(const Clamping& clamping, const Spread& spread) const {
-  return least_sum(clamping, spread, true, [&](double time_s, const RateBounds& bounds) {
-    const double lower = bounds.lower[first_axis] + bounds.lower[second_axis];
-    const double upper = bounds.upper[first_axis] + bounds.upper[second_axis];
-    return std::pair{time_s * lower, upper <= close_enough * lower};
-  });
+double PathLoads::least_travel_rad(const Clamping& clamping, const Spread& spread,
+                                   const Branches& branches) const {
+  return least_sum(clamping, spread, one_if_equal(branches),
+                   [&](double time_s, const RateBounds& bounds) {
+                     const double lower = bounds.lower[first_axis] + bounds.lower[second_axis];
+                     const double upper = bounds.upper[first_axis] + bounds.upper[second_axis];
+                     return std::pair{time_s * lower, upper <= close_enough * lower};
+                   });
 }
 
 /// Sum of `part` over all pieces, each divided until it is even enough.

@@ -94,8 +94,10 @@ Spread SetupValues::about_spread(Spread spread) const {
 double SetupValues::least_ratio(const SetupValue& middle, const Spread& spread,
                                 std::span<const PeakPlace> places) const {
   double least = 0.0;
+  const Branches branches =
+      loads_.possible_branches(middle.clampings.nominal, middle.extremes, spread);
   const auto take = [&](const PeakPlace& place, const Clamping& clamping, const Spread& about) {
-    least = std::max(least, loads_.least_ratio(place, clamping, about));
+    least = std::max(least, loads_.least_ratio(place, clamping, about, branches));
   };
   for (const PeakPlace& place : places) take(place, middle.clampings.nominal, spread);
   // Every setup of the region has clampings about it in the place of those about the middle.
@@ -125,9 +127,11 @@ double SetupValues::least_value(const SetupDomain& domain, const SetupCell& cell
                                 const SetupValue& middle, std::span<const PeakPlace> places) const {
   const Spread spread = spread_of(domain, cell, middle.clampings.nominal);
   if (goal_ == Goal::peak_ratio) return least_ratio(middle, spread, places);
+  const Branches branches =
+      loads_.possible_branches(middle.clampings.nominal, middle.extremes, spread);
   const auto least = [&](const Clamping& clamping, const Spread& about) {
-    return goal_ == Goal::time ? loads_.least_time_s(clamping, about)
-                               : loads_.least_travel_rad(clamping, about);
+    return goal_ == Goal::time ? loads_.least_time_s(clamping, about, branches)
+                               : loads_.least_travel_rad(clamping, about, branches);
   };
   double value = least(middle.clampings.nominal, spread);
   // In a region wider than the accuracy those about its middle tell nothing more.

@@ -37,7 +37,8 @@ struct Bounds {
             .slack_rad = std::max(prepared.read.tool_path.axis_rounding_rad,
                                   plan::axis_freedom_rad(prepared.settings.axis_tolerance_rad,
                                                          prepared.settings.flank)),
-            .preferred_branch = 0};
+            .preferred_branch = 0,
+            .rule = {prepared.model, prepared.ranges, prepared.settings, prepared.read.tool_path}};
   }
 
   reorient::PathLoads loads;
