@@ -199,7 +199,7 @@ reorient::SearchOptions Reorientation::options(Goal goal) const {
   // A sum takes every part of the path for every cell, a peak few of them.
   const bool is_sum = goal != Goal::peak_ratio;
   const double work = is_sum ? 8e6 : 1e8, fewest = is_sum ? 50.0 : 300.0;
-  const double most = is_sum ? 1000.0 : 4000.0;
+  const double most = is_sum ? 8000.0 : 12000.0;
   const double cells = work / static_cast<double>(std::max<std::size_t>(1, points_));
   return {.most_cells = static_cast<std::size_t>(std::clamp(cells, fewest, most)),
           .steps_per_unit = job_.setup_accuracy_deg > 0.0 ? steps_per_unit : 0.0};

@@ -12,6 +12,14 @@ namespace {
 /// Bounds whose quotient is below this are one value.
 constexpr double close_enough = 1.001;
 
+/// So many that the turn of each does not outweigh `fine_rad`; an arc's tip has one motion only.
+int parts_of(const Piece& piece, double fine_rad) {
+  constexpr double most = 8.0;
+  if (!piece.is_straight || !(piece.half_turn_rad() > fine_rad)) return 1;
+  return static_cast<int>(
+      std::clamp(std::ceil(piece.half_turn_rad() / std::max(fine_rad, 1e-9)), 1.0, most));
+}
+
 }  // namespace
 
 bool PathLoads::is_near_singularity(const Extremes& found, double within_rad,
@@ -72,7 +80,14 @@ double PathLoads::least_sum(const Clamping& clamping, const Spread& spread,
             total += part(piece.time_s, RateBounds{}).first;
             return;
           }
-          total += least(piece.middle, spread_of(piece), piece.time_s).first;
+          const int parts = parts_of(piece, fine_share * spread.pole_rad);
+          Piece part_of_piece = piece;
+          part_of_piece.time_s = piece.time_s / parts;
+          for (int i = 0; i < parts; ++i) {
+            part_of_piece.middle = piece.at(((i + 0.5) / parts - 0.5) * piece.time_s);
+            total +=
+                least(part_of_piece.middle, spread_of(part_of_piece), part_of_piece.time_s).first;
+          }
         });
   }
   return sure_share * total;

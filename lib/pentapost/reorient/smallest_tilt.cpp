@@ -122,7 +122,8 @@ class TiltSearch {
   }
 
   /// @param coarse_ratio  at most a little too low.
-  void offer(const SetupPoint& setup, double coarse_ratio) {
+  void offer(const SetupPoint& wanted, double coarse_ratio) {
+    const SetupPoint setup = rounded(wanted);
     const double tilt_deg = std::abs(setup.theta_x_deg);
     if (!(coarse_ratio <= 1.0) || !(tilt_deg <= wanted_deg()) || !domain_.allows(setup) ||
         confirmed_ >= options_.most_confirmed)
@@ -133,6 +134,22 @@ class TiltSearch {
     ++confirmed_;
     const auto exact = checks_.confirm(setup, ratio);
     if (exact && *exact <= 1.0) result_.best = Trial{setup, tilt_deg};
+  }
+
+  /// No finer than anybody can clamp a part, with no less tilt.
+  SetupPoint rounded(const SetupPoint& setup) const {
+    constexpr double rounding = 1e-6;
+    const double steps = options_.steps_per_unit;
+    SetupPoint near = setup;
+    for (std::size_t i = 0; i < SetupDomain::dimensions && steps > 0.0; ++i) {
+      const Coordinate& coordinate = domain_.coordinates[i];
+      if (coordinate.is_list()) continue;
+      const double units = setup[i] * steps;
+      const double whole_units =
+          i == 0 ? std::copysign(std::ceil(std::abs(units) - rounding), units) : std::round(units);
+      near[i] = coordinate.nearest(coordinate.whole(), whole_units / steps);
+    }
+    return near;
   }
 
   const SetupValues& values_;
