@@ -131,7 +131,7 @@ for (const [title, words, expected, text] of [
     /options\/tcp_on: option tcp_on: \{foo\}/],
   ["a share of 0", ["analyse", good, "--machine", "generic-3axis", "--zone-share", "0"], 2, /"pointer":"\/zone_share"/],
   ["an analysis without a machine", ["analyse", good], 1, /pentapost analyse: give --machine/],
-  ["a tilt of 0", ["reorient", good, "--machine", "hermle-c600u", "--max-tilt-deg", "0"], 2, /"pointer":"\/max_tilt_deg"/],
+  ["a negative tilt", ["reorient", good, "--machine", "hermle-c600u", "--max-tilt-deg", "-1"], 2, /"pointer":"\/max_tilt_deg"/],
   ["an unknown objective", ["reorient", good, "--machine", "hermle-c600u", "--objective", "speed"], 2, /peak_ratio, time, rotary_travel/],
   ["a reorientation without a machine", ["reorient", good], 1, /pentapost reorient: give --machine/],
   ["an unknown machine to compare", ["compare", good, "--machine", "generic-3axis,herml"], 2, /"pointer":"\/machines\/1"/],

@@ -186,7 +186,7 @@ async function checkReorient(port) {
   const query = { machine: "hermle-c600u" };
   const refusals = [
     ["an unknown objective", text({ ...query, objective: "speed" }, cl), 400, "out_of_domain", "/objective"],
-    ["a tilt of 0", text({ ...query, max_tilt_deg: "0" }, cl), 400, "out_of_domain", "/max_tilt_deg"],
+    ["a negative tilt", text({ ...query, max_tilt_deg: "-1" }, cl), 400, "out_of_domain", "/max_tilt_deg"],
     ["an accuracy of 6 degrees", text({ ...query, setup_accuracy_deg: "6" }, cl), 400, "out_of_domain",
       "/setup_accuracy_deg"],
     ["a word of /analyse", text({ ...query, zone_share: "1" }, cl), 400, "unknown_key", "/zone_share"],
@@ -271,7 +271,7 @@ async function checkCompare(port) {
     ["a share of 0", text({ zone_share: "0" }, cl), 400, "out_of_domain", "/zone_share"],
     ["a word of /reorient", text({ objective: "time" }, cl), 400, "unknown_key", "/objective"],
     ["a word that is no truth", text({ reorient: "maybe" }, cl), 400, "out_of_domain", "/reorient"],
-    ["a tilt of 0", job({ machines, cl, reorient: { max_tilt_deg: 0 } }), 400, "out_of_domain",
+    ["a negative tilt", job({ machines, cl, reorient: { max_tilt_deg: -1 } }), 400, "out_of_domain",
       "/reorient/max_tilt_deg"],
     ["an unknown bound", job({ machines, cl, reorient: { tilt: 0 } }), 400, "unknown_key", "/reorient/tilt"],
     ["a limit of an axis of no machine", job({ machines, cl, limits: { W: { max_speed_mm_s: 1 } } }), 400,
