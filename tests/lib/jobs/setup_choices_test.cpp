@@ -103,11 +103,13 @@ TEST(SetupChoices, LeaveOutWhatIsForbidden) {
   ReorientJob job = pole_job("hermle-c600u");
   job.forbidden = {{.theta_x_deg = Range<double>{-5.0, 40.0}},
                    {.theta_z_deg = Range<double>{-90.0, 90.0}}};
-  for (const ReorientJob& each : asked_in_every_way(job))
-    for (const auto* answer : answers(reoriented(each))) {
+  for (const ReorientJob& each : asked_in_every_way(job)) {
+    const auto report = reoriented(each);
+    for (const auto* answer : answers(report)) {
       EXPECT_LT(answer->setup.theta_x_deg, -5.0);
       EXPECT_GT(std::abs(answer->setup.theta_z_deg), 90.0);
     }
+  }
 }
 
 TEST(SetupChoices, HaveNoTiltAtAllWhereNoneIsAllowed) {
