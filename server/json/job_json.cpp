@@ -250,6 +250,7 @@ void JobReader::read_post(const Object& job, jobs::PostOptions& post) {
   post.program_name = source_.text("program_name", object);
   if (!object) return;
   post.zone_comments = object->optional_boolean("zone_comments").value_or(false);
+  post.line_map = object->optional_boolean("line_map").value_or(false);
   post.flank = object->optional_boolean("flank").value_or(false);
   post.pole_axis_deg = object->optional_number("pole_axis_deg", pole_axis_domain).value_or(0.0);
   if (const auto prefer = object->optional_object("prefer")) read_prefer(*prefer, post);

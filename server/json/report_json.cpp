@@ -5,6 +5,12 @@
 #include "server/json/report_head_json.hpp"
 #include "server/json/zones_json.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
 namespace pentapost::server {
 namespace {
 
@@ -31,6 +37,70 @@ void write_retracts(JsonWriter& writer, const jobs::PostReport& report) {
     writer.end_object();
   }
   writer.end_array();
+}
+
+std::string_view word_of(jobs::InsertedStretch::Reason reason) {
+  using Reason = jobs::InsertedStretch::Reason;
+  switch (reason) {
+    case Reason::turning:
+      return "turning";
+    case Reason::arc_as_lines:
+      return "arc_as_lines";
+    case Reason::arc_in_parts:
+      return "arc_in_parts";
+  }
+  throw std::logic_error{"word_of: no such reason"};
+}
+
+std::string_view word_of(jobs::LineMap::Kind kind) {
+  using Kind = jobs::LineMap::Kind;
+  switch (kind) {
+    case Kind::rapid:
+      return "rapid";
+    case Kind::line:
+      return "line";
+    case Kind::arc:
+      return "arc";
+    case Kind::hole:
+      return "hole";
+    case Kind::off_path:
+      return "off_path";
+  }
+  throw std::logic_error{"word_of: no such kind"};
+}
+
+/// The first ones: a path that turns all along has one.
+void write_insertions(JsonWriter& writer, const jobs::PostReport& report) {
+  constexpr std::size_t most = 1000;
+  writer.key("insertions").begin_array();
+  for (const auto& each :
+       std::span{report.insertions}.first(std::min(most, report.insertions.size()))) {
+    writer.begin_object();
+    if (each.from_cl_line > 0) writer.key("from_cl_line").integer(each.from_cl_line);
+    if (each.to_cl_line > 0) writer.key("to_cl_line").integer(each.to_cl_line);
+    writer.key("points").integer(each.points);
+    writer.key("reason").string(word_of(each.reason));
+    writer.end_object();
+  }
+  writer.end_array();
+  writer.key("insertions_total").integer(report.insertions.size());
+}
+
+void write_line_map(JsonWriter& writer, const jobs::LineMap& map) {
+  writer.key("line_map").begin_object();
+  writer.key("nc_line").begin_array();
+  for (const auto line : map.nc_line) writer.integer(line);
+  writer.end_array();
+  writer.key("cl_line").begin_array();
+  for (const auto line : map.cl_line) writer.integer(line);
+  writer.end_array();
+  writer.key("fraction").begin_array();
+  for (const double fraction : map.fraction) writer.number(fraction);
+  writer.end_array();
+  writer.key("kind").begin_array();
+  for (const auto kind : map.kind) writer.string(word_of(kind));
+  writer.end_array();
+  writer.end_object();
 }
 
 void write_verification(JsonWriter& writer, const jobs::Verification& verification) {
@@ -60,6 +130,7 @@ std::string report_json(const jobs::PostReport& report) {
   write_zones(writer, "zones", cl_place_keys, report.zones);
   write_zones(writer, "over_demands", cl_place_keys, report.over_demands);
   writer.key("inserted_points").integer(report.inserted_points);
+  write_insertions(writer, report);
   writer.key("pole_axis_change_deg").number(report.pole_axis_change_deg);
   writer.key("pole_bends").begin_array();
   for (const auto& bend : report.pole_bends) {
@@ -71,6 +142,7 @@ std::string report_json(const jobs::PostReport& report) {
   writer.end_array();
   write_retracts(writer, report);
   write_verification(writer, report.verification);
+  if (report.line_map) write_line_map(writer, *report.line_map);
   write_diagnostics(writer, report.diagnostics);
   writer.end_object();
   return text;

@@ -213,6 +213,8 @@ TEST(JobJson, HasNoSamples) {
 
 TEST(JobJson, ReadsWhetherTheProgramWarnsOfZones) {
   EXPECT_TRUE(read_with(R"("post": {"zone_comments": true})").value().post.zone_comments);
+  EXPECT_TRUE(read_with(R"("post": {"line_map": true})").value().post.line_map);
+  EXPECT_FALSE(read_with(R"("post": {})").value().post.line_map);
   EXPECT_FALSE(read_with(R"("post": {})").value().post.zone_comments);
   const auto refused = read_with(R"("post": {"zone_comments": 1})");
   ASSERT_FALSE(refused);

@@ -26,11 +26,14 @@ TEST(ReportJson, HasTheNamesOfTheContract) {
           R"("peak_ratio":27.5,"lowest_feed_mm_min":28.5,"programmed_time_s":29.5,)"
           R"("time_lost_s":30.5,"cures":[]}],"zones_total":1,)"
           R"("over_demands":[],"over_demands_total":0,)"
-          R"("inserted_points":14,"pole_axis_change_deg":0.125,)"
+          R"("inserted_points":14,"insertions":[{"from_cl_line":18,"to_cl_line":19,"points":14,)"
+          R"("reason":"arc_as_lines"}],"insertions_total":1,"pole_axis_change_deg":0.125,)"
           R"("pole_bends":[{"cl_line":16,"change_deg":0.0625}],)"
           R"("retracts":[{"cl_line":17,"reason":"C is wound up"}],)"
           R"("verification":{"passed":true,"tip_deviation_mm":0.0078125,)"
           R"("axis_deviation_deg":0.03125,"blocks_read":18},)"
+          R"("line_map":{"nc_line":[5,6],"cl_line":[0,18],"fraction":[1,0.5],)"
+          R"("kind":["off_path","arc"]},)"
           R"("diagnostics":[{"severity":"warning","code":"unit_assumed","cl_line":19,)"
           R"("message":"mm were assumed"}],"diagnostics_total":1})");
 }

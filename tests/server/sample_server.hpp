@@ -61,6 +61,14 @@ inline jobs::PostReport report() {
   report.cl_points = 12;
   report.blocks = 13;
   report.inserted_points = 14;
+  report.insertions = {{.from_cl_line = 18,
+                        .to_cl_line = 19,
+                        .points = 14,
+                        .reason = jobs::InsertedStretch::Reason::arc_as_lines}};
+  report.line_map = {.nc_line = {5, 6},
+                     .cl_line = {0, 18},
+                     .fraction = {1.0, 0.5},
+                     .kind = {jobs::LineMap::Kind::off_path, jobs::LineMap::Kind::arc}};
   report.length_mm = 15.5;
   report.programmed_time_s = 16.25;
   report.predicted_time_s = 17.25;

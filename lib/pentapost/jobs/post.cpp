@@ -79,7 +79,8 @@ Result<verify::Proof> write_and_prove(const PostJob& job, const Control& control
                       .tip_tolerance_mm = settings.tip_tolerance_mm,
                       .axis_tolerance_rad = settings.axis_tolerance_rad,
                       .planned_axis_wp = planned_axis_wp,
-                      .pole_axis_rad = settings.pole_axis_rad};
+                      .pole_axis_rad = settings.pole_axis_rad,
+                      .keep_text_lines = job.post.line_map};
   const auto with = [&](const machine::Options& options,
                         std::string& text) -> Result<verify::Proof> {
     if (auto status = control.dialect->write(motion, header, options, text); !status)
@@ -161,6 +162,9 @@ Result<PostReport> post(const PostJob& job) {
   report.output = control.output;
   report.blocks = program->motion.blocks.size();
   report.inserted_points = program->inserted_points + bent.inserted_points;
+  report.insertions = inserted_stretches(program->motion, read.tool_path);
+  if (job.post.line_map)
+    report.line_map = line_map(program->motion, read.tool_path, proof->text_lines);
   report.pole_axis_change_deg =
       std::max(program->axis_change_rad, bent.largest_change_rad) * deg_per_rad;
   for (const auto& bend : bent.bends)

@@ -4,6 +4,7 @@
 #include "pentapost/core/result.hpp"
 #include "pentapost/core/units.hpp"
 #include "pentapost/jobs/analysis_report.hpp"
+#include "pentapost/jobs/line_map.hpp"
 #include "pentapost/jobs/report_head.hpp"
 #include "pentapost/machine/definition.hpp"
 
@@ -58,6 +59,7 @@ struct PostOptions {
   std::string default_program_name = {};            ///< where there is no PARTNO either
   std::optional<machine::Preferences> prefer = {};  ///< nullopt: as the definition
   bool zone_comments = false;  ///< the program warns of each zone and over-demand where it begins
+  bool line_map = false;       ///< the report says where every block comes from
   bool flank = false;          ///< a flank cut: the tool axis has no freedom at the pole
   /// By how much the tool axis may be changed so that a path that passes a pole leads through it
   /// (lib/README.md section 4). 0 to largest_pole_axis_deg; 0 for a flank cut.
@@ -108,8 +110,10 @@ struct PostReport : ReportHead {
   Output output = Output::tcp;
   std::uint64_t blocks = 0;  ///< motion blocks
   std::uint64_t inserted_points = 0;
-  double length_mm = 0.0;                       ///< of the tip's cutting path
-  double programmed_time_s = 0.0;               ///< of the cutting path at the programmed feed
+  std::vector<InsertedStretch> insertions;  ///< why these are there; those of pole_bends left out
+  std::optional<LineMap> line_map = {};     ///< nullopt: not asked for
+  double length_mm = 0.0;                   ///< of the tip's cutting path
+  double programmed_time_s = 0.0;           ///< of the cutting path at the programmed feed
   std::optional<double> predicted_time_s = {};  ///< of it, slowed down to the speed limits
   ZonesReport zones, over_demands;              ///< where an axis is over its speed limit
   /// Largest change of the tool axis: by the bends, or by the freedom at the pole and at the edge

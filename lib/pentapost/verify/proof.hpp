@@ -15,6 +15,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pentapost::verify {
 
@@ -37,6 +38,7 @@ struct Claim {
   /// lie within sqrt(2 pole_axis_rad) of one that the machine has.
   std::span<const Vec3> planned_axis_wp = {};
   double pole_axis_rad = 0.0;
+  bool keep_text_lines = false;  ///< of every motion block, for Proof::text_lines
 };
 
 struct AxisSpan {
@@ -46,8 +48,9 @@ struct AxisSpan {
 struct Proof {
   double tip_deviation_mm = 0.0;  ///< largest over the whole of every cutting block, not of samples
   double axis_deviation_rad = 0.0;
-  std::uint64_t blocks_read = 0;    ///< motion blocks
-  std::array<AxisSpan, 5> spans{};  ///< in the order of the letters
+  std::uint64_t blocks_read = 0;          ///< motion blocks
+  std::array<AxisSpan, 5> spans{};        ///< in the order of the letters
+  std::vector<std::uint32_t> text_lines;  ///< of the NC text, one a motion block, where asked for
 };
 
 /// Reads the finished program back, runs forward kinematics at the digits printed and measures how

@@ -104,6 +104,7 @@ bool Replay::take_motion(const nc::ReadMotion& motion) {
                 " that were planned");
   }
   const path::Block& block = blocks[proof_.blocks_read++];
+  if (claim_.keep_text_lines) proof_.text_lines.push_back(text_line_);
   cl_line_ = block.point < claim_.tool_path.size() ? claim_.tool_path.cl_line[block.point] : 0;
   if (!is_sane(motion) || !keeps_datum(motion) || !keeps_length_register(motion)) return false;
   // The place where the path is left is the one before this block.
@@ -182,7 +183,7 @@ Result<Proof> Replay::finish() {
   const Deviation &usual = held_.proven, &near_pole = held_near_pole_.proven;
   proof_.tip_deviation_mm = std::max(usual.tip_mm, near_pole.tip_mm);
   proof_.axis_deviation_rad = angle_of_chord(std::max(usual.axis_chord, near_pole.axis_chord));
-  return proof_;
+  return std::move(proof_);
 }
 
 }  // namespace pentapost::verify
