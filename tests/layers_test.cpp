@@ -109,6 +109,8 @@ bool lib_may(std::string_view file, const std::string& header) {
       return header == "pentapost/nc/reader.hpp" ||
              (reads && header.starts_with("pentapost/nc/readers/"));
   }
+  if (file.starts_with("lib/pentapost/nc/lint_rules") && to == "nc")
+    return header == "pentapost/nc/lint.hpp" || header.starts_with("pentapost/nc/lint_rules/");
   if (file.starts_with("lib/pentapost/nc/dialects") && header.starts_with("pentapost/nc/reader"))
     return false;
   const auto layer = lib_layers.find(from);
@@ -129,7 +131,7 @@ bool server_may(std::string_view file, const std::string& header) {
                    "server/http/message.hpp"});
   if (is_endpoint)
     return starts({"pentapost/core/", "pentapost/jobs/", "pentapost/machine/",
-                   "pentapost/nc/dialect.hpp", "server/"}) &&
+                   "pentapost/nc/dialect.hpp", "pentapost/nc/lint.hpp", "server/"}) &&
            header != "server/http/transport.hpp";
   return true;
 }

@@ -1,4 +1,5 @@
 #include "pentapost/nc/dialect.hpp"
+#include "pentapost/nc/lint.hpp"
 #include "server/endpoints.hpp"
 #include "server/json/json_writer.hpp"
 
@@ -21,6 +22,18 @@ struct OptionWriter {
   }
 };
 
+void write_rules(JsonWriter& writer, const nc::Lint& lint) {
+  writer.key("rules").begin_array();
+  for (const auto& rule : lint.rules) {
+    writer.begin_object();
+    writer.key("name").string(rule.name);
+    writer.key("description").string(rule.description);
+    if (!rule.source.empty()) writer.key("source").string(rule.source);
+    writer.end_object();
+  }
+  writer.end_array();
+}
+
 void write_dialect(JsonWriter& writer, const nc::Dialect& dialect) {
   writer.begin_object();
   writer.key("name").string(dialect.name);
@@ -35,6 +48,7 @@ void write_dialect(JsonWriter& writer, const nc::Dialect& dialect) {
     writer.end_object();
   }
   writer.end_array();
+  if (const auto* const lint = nc::find_lint(dialect.name)) write_rules(writer, *lint);
   writer.end_object();
 }
 

@@ -86,6 +86,19 @@ void write_insertions(JsonWriter& writer, const jobs::PostReport& report) {
   writer.key("insertions_total").integer(report.insertions.size());
 }
 
+void write_lint(JsonWriter& writer, const nc::LintReport& lint) {
+  writer.key("lint").begin_array();
+  for (const auto& finding : lint.findings) {
+    writer.begin_object();
+    writer.key("nc_line").integer(finding.nc_line);
+    writer.key("rule").string(finding.rule);
+    writer.key("message").string(finding.message);
+    writer.end_object();
+  }
+  writer.end_array();
+  writer.key("lint_total").integer(lint.total);
+}
+
 void write_line_map(JsonWriter& writer, const jobs::LineMap& map) {
   writer.key("line_map").begin_object();
   writer.key("nc_line").begin_array();
@@ -142,6 +155,7 @@ std::string report_json(const jobs::PostReport& report) {
   writer.end_array();
   write_retracts(writer, report);
   write_verification(writer, report.verification);
+  write_lint(writer, report.lint);
   if (report.line_map) write_line_map(writer, *report.line_map);
   write_diagnostics(writer, report.diagnostics);
   writer.end_object();

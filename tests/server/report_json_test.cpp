@@ -32,6 +32,7 @@ TEST(ReportJson, HasTheNamesOfTheContract) {
           R"("retracts":[{"cl_line":17,"reason":"C is wound up"}],)"
           R"("verification":{"passed":true,"tip_deviation_mm":0.0078125,)"
           R"("axis_deviation_deg":0.03125,"blocks_read":18},)"
+          R"("lint":[{"nc_line":7,"rule":"long_line","message":"too long"}],"lint_total":8,)"
           R"("line_map":{"nc_line":[5,6],"cl_line":[0,18],"fraction":[1,0.5],)"
           R"("kind":["off_path","arc"]},)"
           R"("diagnostics":[{"severity":"warning","code":"unit_assumed","cl_line":19,)"

@@ -65,6 +65,7 @@ inline jobs::PostReport report() {
                         .to_cl_line = 19,
                         .points = 14,
                         .reason = jobs::InsertedStretch::Reason::arc_as_lines}};
+  report.lint = {.findings = {{7, "long_line", "too long"}}, .total = 8};
   report.line_map = {.nc_line = {5, 6},
                      .cl_line = {0, 18},
                      .fraction = {1.0, 0.5},

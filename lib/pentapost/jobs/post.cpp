@@ -158,6 +158,9 @@ Result<PostReport> post(const PostJob& job) {
   if (!proof) return proof.error();
 
   static_cast<ReportHead&>(report) = report_head(job, read);
+  if (const auto* const lint = nc::find_lint(control.dialect->name))
+    report.lint =
+        lint->look(report.nc, {.letters = program->motion.letters, .options = control.options});
   report.dialect = control.dialect->name;
   report.output = control.output;
   report.blocks = program->motion.blocks.size();

@@ -7,6 +7,7 @@
 #include "pentapost/jobs/line_map.hpp"
 #include "pentapost/jobs/report_head.hpp"
 #include "pentapost/machine/definition.hpp"
+#include "pentapost/nc/lint.hpp"
 
 #include <cstdint>
 #include <map>
@@ -123,6 +124,7 @@ struct PostReport : ReportHead {
   std::vector<AxisReport> axes;
   std::vector<RetractReport> retracts;
   Verification verification;
+  nc::LintReport lint;  ///< what of the program its control does not want
   Diagnostics diagnostics;
 };
 

@@ -293,7 +293,7 @@ SetupMap Reorientation::map() {
 SetupPoint Reorientation::within_bounds(const SetupPoint& setup) const {
   SetupPoint same = setup;
   same.theta_z_deg = std::remainder(setup.theta_z_deg, 360.0);
-  const SetupPoint nearest = domain_.nearest(same);
+  SetupPoint nearest = domain_.nearest(same);
   if (nearest == same || !has_twins_) return nearest;
   const double turned_deg = same.theta_z_deg > 0.0 ? -180.0 : 180.0;
   const SetupPoint twin{-same.theta_x_deg, same.theta_z_deg + turned_deg, same.origin_mm};
