@@ -131,8 +131,9 @@ ExitCode run(const PostFileOptions& options) {
   const auto machines = load_library(machine_folder(options.machines), options.skip_bad_machines);
   if (!machines) return exit_input_output;
   const auto dialects = dialect_names();
-  const auto job = read_post_job(std::move(*parts), {.machines = *machines, .dialects = dialects});
+  auto job = read_post_job(std::move(*parts), {.machines = *machines, .dialects = dialects});
   if (!job) return fail(job.error(), options.report);
+  job->post.lint = true;
   auto report = jobs::post(*job);
   if (!report) return fail(placed_in_request(report.error(), *job, *machines), options.report);
   TextOutput report_output{options.report, std::cerr, report_json(*report) + '\n'};

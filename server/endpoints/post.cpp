@@ -7,8 +7,9 @@ namespace pentapost::server {
 
 Result<Response> post_program(Call& call) {
   const auto slot = call.admission.start();
-  const auto job = take_job(call, read_post_job);
+  auto job = take_job(call, read_post_job);
   if (!job) return job.error();
+  job->post.lint = call.media_type == "application/json";
   auto report = traced(call, *job, [&] { return call.services.post(*job); });
   if (!report) return std::move(report).error();
   Response response = job_response(call);

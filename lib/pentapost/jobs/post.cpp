@@ -158,7 +158,7 @@ Result<PostReport> post(const PostJob& job) {
   if (!proof) return proof.error();
 
   static_cast<ReportHead&>(report) = report_head(job, read);
-  if (const auto* const lint = nc::find_lint(control.dialect->name))
+  if (const auto* const lint = nc::find_lint(control.dialect->name); lint && job.post.lint)
     report.lint =
         lint->look(report.nc, {.letters = program->motion.letters, .options = control.options});
   report.dialect = control.dialect->name;

@@ -60,6 +60,7 @@ struct PostOptions {
   std::string default_program_name = {};            ///< where there is no PARTNO either
   std::optional<machine::Preferences> prefer = {};  ///< nullopt: as the definition
   bool zone_comments = false;  ///< the program warns of each zone and over-demand where it begins
+  bool lint = false;           ///< the report says what of the program its control does not want
   bool line_map = false;       ///< the report says where every block comes from
   bool flank = false;          ///< a flank cut: the tool axis has no freedom at the pole
   /// By how much the tool axis may be changed so that a path that passes a pole leads through it
@@ -124,7 +125,7 @@ struct PostReport : ReportHead {
   std::vector<AxisReport> axes;
   std::vector<RetractReport> retracts;
   Verification verification;
-  nc::LintReport lint;  ///< what of the program its control does not want
+  nc::LintReport lint;  ///< empty too where it is not asked for
   Diagnostics diagnostics;
 };
 

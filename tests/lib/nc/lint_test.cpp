@@ -135,6 +135,28 @@ TEST(LintSiemens, ReadsAssignedWords) {
   EXPECT_EQ(found("siemens-840d", "MSG(\"G53 M6 B=5\")\nG1 X1 F1 ; B5\n"), Found{});
 }
 
+/// Lines that are passed over quickly: the same faults must be found among them.
+TEST(Lints, FindTheOneBadLineAmongManyGoodOnes) {
+  const auto many = [](const std::string& line) {
+    std::string text;
+    for (int i = 0; i < 50; ++i) text += line;
+    return text;
+  };
+  EXPECT_EQ(found("fanuc-30i", "G1 X0. F1.\n" + many("X1. Y2. Z3. A4. C5.\n") + "X1. Y2 Z3. A4.\n"),
+            Found{"52: number_without_point"});
+  EXPECT_EQ(found("fanuc-30i", "G93 G1 X0. F1.\n" + many("X1. Y2. F3.\n") + "X1. Y2.\n"),
+            Found{"52: inverse_time_without_feed"});
+  EXPECT_EQ(
+      found("heidenhain-iso", "N1 G01 X+0 F9 *\n" + many("N2 X+1 Y-2 A+4 *\n") + "N3 X+1 Y2 *\n"),
+      Found{"52: number_without_sign"});
+  EXPECT_EQ(found("heidenhain", many("5 L X+1 Y-2 A+4 F100\n") + "6 L X+1 B+2 F100\n"),
+            Found{"51: unknown_axis_word"});
+  EXPECT_EQ(found("siemens-840d", "G1 X0 F1\n" + many("X1 Y2 C5\n") + "X1 B2\n"),
+            Found{"52: unknown_axis_word"});
+  EXPECT_EQ(found("linuxcnc", "M428\nG1 X0 F1\n" + many("X1 Y2 C5\n") + "G53 X1\n"),
+            Found{"53: machine_move_with_tcp"});
+}
+
 TEST(Lints, KeepTheFirstHundredAndCountAll) {
   std::string text;
   for (int i = 0; i < 1000; ++i) text += "G1 X1 F1.\n";

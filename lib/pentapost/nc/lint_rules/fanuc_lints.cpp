@@ -1,6 +1,7 @@
 #include "pentapost/nc/lint_rules/fanuc_lints.hpp"
 
 #include "pentapost/nc/lint_rules/lint_state.hpp"
+#include "pentapost/nc/lint_rules/quiet_lines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -86,8 +87,11 @@ void check_points(const LintBlock& block, LintState& state) {
 LintReport look(std::string_view text, const ReaderSetup& setup, const Control& control) {
   LintText blocks{text, {.round_comments = true, .semicolon_comments = false, .calls = false}};
   LintState state{setup, control.longest_line};
+  const QuietLines quiet{setup.letters, {.needs_points = control.needs_points}};
   LintBlock block;
   while (blocks.next(block)) {
+    if (state.goes_straight() && quiet.has(block.text, state.inverse_time())) continue;
+    blocks.split(block);
     const Doings doings = doings_of(block, control);
     const bool has_length = state.length();
     state.take(block, doings);

@@ -1,6 +1,7 @@
 #include "pentapost/nc/lint_rules/heidenhain_lints.hpp"
 
 #include "pentapost/nc/lint_rules/lint_state.hpp"
+#include "pentapost/nc/lint_rules/quiet_lines.hpp"
 
 #include <string>
 #include <vector>
@@ -34,9 +35,12 @@ void check_signs(const LintBlock& block, LintState& state) {
 LintReport look_iso(std::string_view text, const ReaderSetup& setup) {
   LintText blocks{text, {.round_comments = false, .semicolon_comments = true, .calls = false}};
   LintState state{setup, longest_iso_line};
+  const QuietLines quiet{setup.letters, {.needs_signs = true}};
   LintBlock block;
   while (blocks.next(block)) {
-    if (block.text.starts_with('%')) continue;
+    if (block.text.starts_with('%') || (state.goes_straight() && quiet.has(block.text, false)))
+      continue;
+    blocks.split(block);
     Doings doings;
     take_functions(block, doings);
     for (const LintWord& word : block.words()) {
@@ -57,8 +61,11 @@ LintReport look_iso(std::string_view text, const ReaderSetup& setup) {
 LintReport look_conversational(std::string_view text, const ReaderSetup& setup) {
   LintText blocks{text, {.round_comments = false, .semicolon_comments = true, .calls = false}};
   LintState state{setup, longest_line};
+  const QuietLines quiet{setup.letters, {.needs_signs = true, .needs_line_word = true}};
   LintBlock block;
   while (blocks.next(block)) {
+    if (quiet.has(block.text, false)) continue;
+    blocks.split(block);
     const auto words = block.words();
     const bool is_function = block.find("FUNCTION") != nullptr && block.find("TCPM") != nullptr;
     const bool is_reset = block.find("RESET") != nullptr;

@@ -45,6 +45,10 @@ class LintState {
   /// Whether a word of the block moves a rotary axis of the machine.
   bool has_rotary_words(const LintBlock& block) const;
   bool has_axis_words(const LintBlock& block) const;
+  /// Whether words of axes alone would be a straight move.
+  bool goes_straight() const {
+    return motion_ == Doings::Motion::line || motion_ == Doings::Motion::rapid;
+  }
   LintReport finish() && { return std::move(report_); }
 
  private:

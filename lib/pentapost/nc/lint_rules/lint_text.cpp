@@ -41,22 +41,19 @@ bool LintBlock::has(std::string_view name, std::string_view number) const {
 }
 
 bool LintText::next(LintBlock& block) {
-  while (at_ < text_.size()) {
-    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-    block.text = text_.substr(at_, end - at_);
-    if (block.text.ends_with('\r')) block.text.remove_suffix(1);
-    at_ = end + 1;
-    block.line = ++line_;
-    split(block);
-    return true;
-  }
-  return false;
+  if (at_ >= text_.size()) return false;
+  const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+  block.text = text_.substr(at_, end - at_);
+  if (block.text.ends_with('\r')) block.text.remove_suffix(1);
+  at_ = end + 1;
+  block.line = ++line_;
+  block.count = 0;
+  block.single = 0;
+  return true;
 }
 
 void LintText::split(LintBlock& block) const {
   const std::string_view line = block.text;
-  block.count = 0;
-  block.single = 0;
   for (std::size_t at = 0; at < line.size() && block.count < LintBlock::most_words;) {
     const char character = line[at];
     if (character == ';' && syntax_.semicolon_comments) return;

@@ -46,17 +46,17 @@ struct LintSyntax {
   bool calls = false;  ///< round brackets hold arguments
 };
 
-/// The blocks of a text, one a line. Takes upper case words; lines without a word are left out.
+/// The blocks of a text, one a line. Takes upper case words.
 class LintText {
  public:
   LintText(std::string_view text, const LintSyntax& syntax) : text_{text}, syntax_{syntax} {}
 
-  /// False: the text is at its end.
+  /// The text of the next line, without words. False: the text is at its end.
   bool next(LintBlock& block);
-
- private:
+  /// Finds the words of the line.
   void split(LintBlock& block) const;
 
+ private:
   std::string_view text_;
   LintSyntax syntax_;
   std::size_t at_ = 0;

@@ -1,6 +1,7 @@
 #include "pentapost/nc/lint_rules/siemens_lint.hpp"
 
 #include "pentapost/nc/lint_rules/lint_state.hpp"
+#include "pentapost/nc/lint_rules/quiet_lines.hpp"
 
 #include <algorithm>
 #include <string>
@@ -60,9 +61,13 @@ bool lacks_orientation_tolerance(const LintBlock& block) {
 LintReport look(std::string_view text, const ReaderSetup& setup) {
   LintText blocks{text, {.round_comments = false, .semicolon_comments = true, .calls = true}};
   LintState state{setup, longest_line};
+  const QuietLines quiet{setup.letters, {}};
   LintBlock block;
   while (blocks.next(block)) {
-    if (block.text.starts_with('%')) continue;
+    if (block.text.starts_with('%') ||
+        (state.goes_straight() && quiet.has(block.text, state.inverse_time())))
+      continue;
+    blocks.split(block);
     const Doings doings = doings_of(block);
     state.take(block, doings);
     if (lacks_orientation_tolerance(block))
