@@ -14,6 +14,7 @@ struct BlockNumbers {
   bool on = false;
   int start = 10;
   int step = 10;
+  bool letter = true;  ///< "N10" rather than "10"
 };
 
 /// Codes that switch the coolant; empty: the control has none for it.

@@ -1,6 +1,8 @@
 #include "pentapost/nc/dialect.hpp"
 #include "pentapost/nc/dialects/fanuc_30i.hpp"
 #include "pentapost/nc/dialects/heidenhain_iso.hpp"
+#include "pentapost/nc/dialects/heidenhain_klartext.hpp"
+#include "pentapost/nc/dialects/siemens_840d.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +10,7 @@
 namespace pentapost::nc {
 namespace {
 
-constexpr std::array table{&fanuc_30i, &heidenhain_iso};
+constexpr std::array table{&fanuc_30i, &heidenhain_klartext, &heidenhain_iso, &siemens_840d};
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include "pentapost/nc/words.hpp"
 #include "pentapost/path/motion.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -38,7 +39,10 @@ class ProgramText {
   /// Starts a block: its words are appended to what this returns, each with a blank behind it.
   std::string& begin_block() {
     if (numbers_.on) {
-      append_whole_word(out_, 'N', number_);
+      if (numbers_.letter)
+        append_whole_word(out_, 'N', number_);
+      else
+        append_bare_number();
       number_ += numbers_.step;
       if (number_ > largest_number_) number_ = numbers_.start;
     }
@@ -64,6 +68,13 @@ class ProgramText {
   void line(std::string_view text) { out_.append(text).push_back('\n'); }
 
  private:
+  void append_bare_number() {
+    std::array<char, decimal_room + 1> text;
+    const std::size_t end = write_decimal(text.data(), number_, 0, {});
+    text[end] = ' ';
+    out_.append(text.data(), end + 1);
+  }
+
   std::string& out_;
   BlockNumbers numbers_;
   std::int64_t largest_number_;

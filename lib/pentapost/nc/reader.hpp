@@ -61,6 +61,8 @@ struct ReadMotion {
   double retract_z_mm = 0.0;          ///< the tool is here afterwards
   double peck_mm = 0.0;               ///< 0: none
   double dwell_s = 0.0;
+  double pitch_mm =
+      0.0;  ///< of a tap, > 0 where the program states it and the feed follows from it
   Hole hole = Hole::drill;
   std::string_view cycle;  ///< the cycle's word, "G81"
 };

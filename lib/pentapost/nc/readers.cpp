@@ -2,6 +2,8 @@
 
 #include "pentapost/nc/readers/fanuc_30i.hpp"
 #include "pentapost/nc/readers/heidenhain_iso.hpp"
+#include "pentapost/nc/readers/heidenhain_klartext.hpp"
+#include "pentapost/nc/readers/siemens_840d.hpp"
 
 #include <array>
 
@@ -10,7 +12,9 @@ namespace {
 
 constexpr std::array readers_by_name{
     Reader{"fanuc-30i", readers::read_fanuc_30i},
+    Reader{"heidenhain", readers::read_heidenhain_klartext},
     Reader{"heidenhain-iso", readers::read_heidenhain_iso},
+    Reader{"siemens-840d", readers::read_siemens_840d},
 };
 
 }  // namespace

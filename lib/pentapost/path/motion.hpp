@@ -49,7 +49,15 @@ struct NativeCycle {
   double dwell_s = 0.0;
   double feed_mm_min = 0.0;
   bool retract_to_clearance = true;  ///< false: to the level before the cycle (G98)
-  bool operator==(const NativeCycle&) const = default;
+  std::int64_t clearance =
+      0;  ///< of clearance_z above the surface, for controls that take both; 0: not said
+
+  /// The same levels are the same hole, wherever its surface is said to be.
+  bool operator==(const NativeCycle& other) const {
+    return kind == other.kind && clearance_z == other.clearance_z && bottom_z == other.bottom_z &&
+           peck == other.peck && dwell_s == other.dwell_s && feed_mm_min == other.feed_mm_min &&
+           retract_to_clearance == other.retract_to_clearance;
+  }
 };
 struct NativeCycleEnd {};
 struct ToolCall {

@@ -109,6 +109,7 @@ Result<Posture> drill(const path::ToolPath& tool_path, std::uint32_t point, cons
   native.kind = cycle.kind;
   native.clearance_z = clear->word[z_column];
   native.bottom_z = bottom->word[z_column];
+  native.clearance = maker.count_mm(cycle.clearance_mm);
   if (cycle.peck_mm) native.peck = std::max<std::int64_t>(1, maker.count_mm(*cycle.peck_mm));
   native.dwell_s = cycle.dwell_s;
   native.feed_mm_min = *feed_mm_min;

@@ -3,6 +3,7 @@
 #include "pentapost/core/number_text.hpp"
 
 #include <cmath>
+#include <optional>
 
 namespace pentapost::verify {
 namespace {
@@ -10,6 +11,8 @@ namespace {
 constexpr double feed_rounding = 1e-6;  ///< relative
 /// Half of the last digit of F in a tapping cycle, whose pitch wants the nearest feed.
 constexpr double tapping_rounding_mm_min = 0.0005;
+/// Half of the last digit of a pitch, and what the division leaves.
+constexpr double pitch_rounding_mm = 0.00005 + 1e-9;
 constexpr double speed_rounding_rpm = 0.5;
 constexpr int tool_of_silent_path = 1;
 
@@ -48,12 +51,27 @@ std::string wrong_feed(const nc::ReadMotion& motion, const FeedCase& feed_case) 
   return too_fast(found, programmed);
 }
 
+namespace {
+
+/// A thread is its pitch, whatever the feed that the control makes of it.
+std::string wrong_pitch(double found_mm, const path::CycleStart& cycle, const ClState& cl) {
+  std::optional<double> programmed_mm = cycle.pitch_mm;
+  if (!programmed_mm && cl.cycle_feed_mm_min() && cl.speed_rpm())
+    programmed_mm = *cl.cycle_feed_mm_min() / *cl.speed_rpm();
+  if (!programmed_mm || std::abs(found_mm - *programmed_mm) <= pitch_rounding_mm) return {};
+  return "the pitch of a tap is " + number_text(found_mm) + " mm, programmed are " +
+         number_text(*programmed_mm) + " mm";
+}
+
+}  // namespace
+
 std::string wrong_hole_feed(const nc::ReadMotion& motion, const ClState& cl) {
   if (motion.feed_mode != nc::ReadMotion::Feed::per_minute || !is_usable(motion.feed))
     return "a drilling cycle without a feed per minute";
   const path::CycleStart& cycle = *cl.cycle();
   const bool taps =
       cycle.kind == path::CycleStart::Kind::tap || cycle.kind == path::CycleStart::Kind::tap_left;
+  if (taps && motion.pitch_mm > 0.0) return wrong_pitch(motion.pitch_mm, cycle, cl);
   auto programmed = cl.cycle_feed_mm_min();
   if (taps && cycle.pitch_mm && cl.speed_rpm()) programmed = *cycle.pitch_mm * *cl.speed_rpm();
   if (!programmed) return {};

@@ -42,13 +42,15 @@ TEST_P(RealFileOnMachines, PostsWithAProofOrIsBeyondTheMachine) {
   int posted_count = 0;
   for (const char* machine : machines) {
     for (const Output output : {Output::tcp, Output::axes}) {
-      for (const char* dialect : {"heidenhain-iso", "fanuc-30i"}) {
-        SCOPED_TRACE(std::string{machine} + (output == Output::tcp ? " tcp " : " axes ") + dialect);
+      for (const auto* dialect : nc::dialects()) {
+        SCOPED_TRACE(std::string{machine} + (output == Output::tcp ? " tcp " : " axes ") +
+                     std::string{dialect->name});
         jobs::PostJob job = sample::cl_job(machine, sample::file_text(file));
         if (GetParam().inch) std::get<jobs::ClText>(job.path).units = jobs::ClUnits::inch;
         for (int tool = 0; tool < 50; ++tool) job.gauge_length_mm[tool] = 150.0;
         job.post.output = output;
-        job.post.dialect = dialect;
+        job.post.dialect = std::string{dialect->name};
+        job.post.lint = true;
         for (const char* axis : {"A", "B", "C"})
           if (!job.machine.limits[axis].max_speed) job.limits[axis].max_speed = 0.5;
 
@@ -60,6 +62,8 @@ TEST_P(RealFileOnMachines, PostsWithAProofOrIsBeyondTheMachine) {
           EXPECT_LE(posted->verification.tip_deviation_mm, 0.01 * (1 + 1e-9));
           EXPECT_LE(posted->verification.axis_deviation_deg, 0.05 * (1 + 1e-9));
           EXPECT_EQ(posted->verification.blocks_read, posted->blocks);
+          for (const auto& each : posted->lint.findings)
+            ADD_FAILURE() << "line " << each.nc_line << ", " << each.rule << ": " << each.message;
         } else {
           EXPECT_TRUE(posted.error().code == Code::out_of_reach ||
                       posted.error().code == Code::rotary_range)
@@ -68,7 +72,7 @@ TEST_P(RealFileOnMachines, PostsWithAProofOrIsBeyondTheMachine) {
       }
     }
   }
-  EXPECT_GE(posted_count, 4 * 2);
+  EXPECT_GE(posted_count, 4 * static_cast<int>(nc::dialects().size()));
   RecordProperty("posted", posted_count);
 }
 INSTANTIATE_TEST_SUITE_P(Files, RealFileOnMachines, ::testing::ValuesIn(files),

@@ -17,7 +17,7 @@ TEST(Dialects, AreInTheOrderOfTheirNames) {
 }
 
 TEST(Dialects, AreFoundByName) {
-  for (const std::string_view name : {"fanuc-30i", "heidenhain-iso"}) {
+  for (const std::string_view name : {"fanuc-30i", "heidenhain-iso", "heidenhain", "siemens-840d"}) {
     const nc::Dialect* const dialect = nc::find_dialect(name);
     ASSERT_NE(dialect, nullptr) << name;
     EXPECT_EQ(dialect->name, name);
@@ -156,7 +156,8 @@ TEST_P(DialectsEach, KeepsWhatStandsInTheTextAlready) {
 
   ASSERT_TRUE(GetParam()->write(MotionCase{}.motion, {}, {}, out).has_value());
 
-  EXPECT_EQ(out.substr(0, 8), "before\n%");
+  EXPECT_EQ(out.substr(0, 7), "before\n");
+  EXPECT_GT(out.size(), 8u);
 }
 
 TEST_P(DialectsEach, RefusesAWordWithMoreDigitsThanTheControlTakes) {

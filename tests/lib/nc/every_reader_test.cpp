@@ -32,7 +32,9 @@ TEST_P(EveryReader, RefusesTenMillionOfOneCharacter) {
 
 TEST_P(EveryReader, ReadsALineOfTenMillionBlanks) {
   const std::string blanks(10'000'000, ' ');
-  const std::string start = GetParam().name == "heidenhain-iso" ? "%A G71 *\n" : "%\n";
+  const std::string start = GetParam().name == "heidenhain" ? "BEGIN PGM A MM\n"
+                            : GetParam().name == "heidenhain-iso"    ? "%A G71 *\n"
+                                                                     : "%\n";
   const std::string end = GetParam().name == "heidenhain-iso" ? "M30 *\n" : "M30\n";
   EXPECT_TRUE(sample::read_items(GetParam().name, start + blanks + end).status.has_value());
 }

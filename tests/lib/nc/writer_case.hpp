@@ -130,4 +130,32 @@ inline std::string body(const path::Motion& motion, const machine::Options& opti
 }
 
 }  // namespace heidenhain
+
+namespace klartext {
+
+/// Options of a program that is its blocks alone, without their numbers.
+inline machine::Options options_with(const std::string& name, machine::OptionValue value) {
+  return {{"comments", false}, {"block_numbers", false}, {name, std::move(value)}};
+}
+
+/// What stands between the first and the last line.
+inline std::string body(const path::Motion& motion,
+                        const machine::Options& options = {{"comments", false},
+                                                           {"block_numbers", false}}) {
+  const std::string nc = program("heidenhain", motion, options);
+  const auto first = nc.find('\n') + 1;
+  return nc.substr(first, nc.rfind("END PGM") - first);
+}
+
+}  // namespace klartext
+
+namespace siemens {
+
+/// What stands behind the first line.
+inline std::string body(const path::Motion& motion, const machine::Options& options = bare) {
+  const std::string nc = program("siemens-840d", motion, options);
+  return nc.substr(nc.find('\n') + 1);
+}
+
+}  // namespace siemens
 }  // namespace pentapost::sample

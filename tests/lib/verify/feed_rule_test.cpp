@@ -48,6 +48,24 @@ TEST(FeedRule, WantsThePitchOfATapOnBothSides) {
   EXPECT_NE(wrong_hole_feed(motion_with(nc::ReadMotion::Feed::per_minute, 499.9), state), "");
 }
 
+TEST(FeedRule, HoldsAStatedPitchAgainstThePitchOfTheTap) {
+  path::ToolPath cl;
+  cl.add_event(1, path::Spindle{path::Spindle::State::clockwise, 400.0});
+  cl.add_event(2, path::CycleStart{.kind = path::CycleStart::Kind::tap,
+                                   .depth_mm = 10,
+                                   .feed_mm_min = 400.0 * 25.4 / 28.0});
+  ClState state{cl};
+  state.advance_to(0);
+  nc::ReadMotion motion = motion_with(nc::ReadMotion::Feed::per_minute, 362.8);
+
+  motion.pitch_mm = 0.9071;  // 25.4 / 28 = 0.90714
+  EXPECT_EQ(wrong_hole_feed(motion, state), "");
+  motion.pitch_mm = 0.9072;
+  EXPECT_NE(wrong_hole_feed(motion, state), "");
+  motion.pitch_mm = 0.907;
+  EXPECT_NE(wrong_hole_feed(motion, state), "");
+}
+
 TEST(SettingRule, TakesToolOneForAPathThatNamesNone) {
   path::ToolPath cl;
   const ClState state{cl};

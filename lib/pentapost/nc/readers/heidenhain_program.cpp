@@ -1,42 +1,12 @@
 #include "pentapost/nc/readers/heidenhain_program.hpp"
 
 #include "pentapost/core/number_text.hpp"
+#include "pentapost/nc/readers/heidenhain_functions.hpp"
 
 #include <cmath>
 #include <string>
 
 namespace pentapost::nc::readers::heidenhain {
-namespace {
-
-/// M functions from 89 to 150 belong to the control, the others to the machine; these of them
-/// neither move an axis nor change what the words mean.
-bool is_harmless_function(int code) {
-  if (code < 89) return true;
-  if (code > 150) return true;
-  switch (code) {
-    case 90:   // constant speed at corners
-    case 102:  // M101 off
-    case 105:  // servo gains
-    case 106:
-    case 107:  // tool messages off
-    case 108:
-    case 111:  // M109 and M110 off
-    case 113:  // M112 off
-    case 115:  // M114 off
-    case 134:  // exact stop of rotary axes
-    case 135:
-    case 137:  // feed per revolution off
-    case 145:  // M144 off
-    case 148:  // lift-off at a stop
-    case 149:
-      return true;
-    default:
-      return false;
-  }
-}
-
-}  // namespace
-
 bool Program::execute(const Block& block) {
   block_ = &block;
   words_.open(block.words);
@@ -172,7 +142,7 @@ bool Program::start_function(int code) {
     case 140:
       return true;
     default:
-      if (is_harmless_function(code)) return true;
+      if (is_harmless_heidenhain_function(code)) return true;
       return items_.fail(Code::not_in_dialect, "M" + std::to_string(code) +
                                                    " is not understood; it may move the machine");
   }
